@@ -3,7 +3,6 @@
 // The same form as app/workbench/command.h; words to choose from: view_words.h.
 #pragma once
 
-#include <algorithm>
 #include <string>
 #include <variant>
 #include <vector>
@@ -15,31 +14,19 @@ namespace pabd {
 
 namespace command {
 
-// The name of a command as a template's argument.
-template <std::size_t n>
-struct Name {
-  char text[n];
-  constexpr Name(const char (&name)[n]) { std::copy_n(name, n, text); }
-};
-// A command without fields.
-template <Name word>
-struct Bare {
-  static constexpr const char* name = word.text;
-  void fields(auto&&) {}
-};
 // A command that only turns something on or off.
-template <Name word>
+template <Text word>
 struct Switch {
-  static constexpr const char* name = word.text;
+  static constexpr const char* name = word.characters;
   bool on = true;
   void fields(auto&& f) { f(kOn, on); }
 };
 // A command that is one word of a list.
-template <Name word, Name field, const auto& list, Name sample>
+template <Text word, Text field, const auto& list, Text sample>
 struct Pick {
-  static constexpr const char* name = word.text;
+  static constexpr const char* name = word.characters;
   std::string choice;
-  void fields(auto&& f) { f(need(field.text, list, sample.text), choice); }
+  void fields(auto&& f) { f(need(field.characters, list, sample.characters), choice); }
 };
 
 // Brings a panel to the front, or closes its column.
@@ -85,7 +72,7 @@ struct Follow {
   void fields(auto&& f) { f(need("body", "name or number; empty: none any more", R"("1")"), body); }
 };
 using FrameSelection =
-    Bare<"frame_selection">;  // what is selected fills the view; without a selection everything
+    Plain<"frame_selection">;  // what is selected fills the view; without a selection everything
 struct Select {
   static constexpr const char* name = "select";
   std::string kind = "body", item;
@@ -226,13 +213,13 @@ struct StopRecord {
   bool keep = true;
   void fields(auto&& f) { f(may("keep", "the frames that are there; else no file", "false"), keep); }
 };
-using AddCameraKey = Bare<"add_camera_key">;  // the camera as it is, at the present time of the simulation
+using AddCameraKey = Plain<"add_camera_key">;  // the camera as it is, at the present time of the simulation
 struct DropCameraKey {
   static constexpr const char* name = "drop_camera_key";
   int index = 0;
   void fields(auto&& f) { f(need("index", "number from 0, in order of time", "0"), index); }
 };
-using ClearCameraKeys = Bare<"clear_camera_keys">;
+using ClearCameraKeys = Plain<"clear_camera_keys">;
 using Fly = Switch<"fly">;  // the camera follows its keys while time goes on
 // Camera keys as a file, which `pabd render --camera` takes.
 struct SaveCamera {
@@ -293,7 +280,7 @@ struct Ask {
     f(may("text", "what it starts with", R"("stack")"), text);
   }
 };
-using CopyCommand = Bare<"copy_command">;
+using CopyCommand = Plain<"copy_command">;
 struct Quit {
   static constexpr const char* name = "quit";
   bool force = false;
