@@ -86,7 +86,7 @@ Frames recorded_frames(const ExportOptions& options, const std::shared_ptr<const
   if (time) check_range("--time", *time, 0, 1e6, "s");
   run.seek(0);
   out.start = run.view();
-  const double begin = out.start.state.time;
+  const double begin = run.state().time;
   // The frame at the end belongs to it, too.
   const PastRange range{-1, time ? begin + *time : -1, out.fps};
   auto source = std::make_unique<PastSource>(std::move(run), std::optional<Run>{}, range, false, arrays);
