@@ -7,7 +7,7 @@
 #include <cstring>
 #include <set>
 
-#include "app/frames/live_source.h"
+#include "app/frames/frame_source.h"
 #include "render/visual/visual_scene.h"
 #include "tests/export/export_helpers.h"
 #include "tests/support/errors.h"
@@ -272,7 +272,7 @@ TEST_CASE("frames of an export show the steps that pictures show") {
     const auto picture = pictures.next([] { return false; });
     REQUIRE(picture);
     CHECK(frame.number == picture->number);
-    CHECK(same_bits(frame.a.state, picture->a.state));
+    CHECK(same_bits(*frame.a.state, *picture->a.state));
   }
 }
 
