@@ -76,7 +76,7 @@ bool add_along_edges(int i, int j, wide3 n, wide nearest, int replacing) {
   bool added = false;
   for (int k = begin; k < end && !added; ++k) {
     int e = k / 3, f = k % 3;
-    wide along = at(column(C, f), e);
+    wide along = entry(C, e, f);
     if (!(i < 0 && 1 - along * along > ALONG_SINE * ALONG_SINE))
       added = add_side_contacts(edges_towards(e, f, n), nearest, replacing);
   }
@@ -172,11 +172,10 @@ bool best_edge(wide face, wide& separation, int& edge_i, int& edge_j) {
     int i1 = next_axis(i), i2 = next_axis(i1);
     for (int j = 0; j < 3; ++j) {
       int j1 = next_axis(j), j2 = next_axis(j1);
-      wide3 axis = column(C, j);
-      wide c_1 = at(axis, i1), c_2 = at(axis, i2);
+      wide c_1 = entry(C, i1, j), c_2 = entry(C, i2, j);
       wide along = abs(at(t_in_a, i2) * c_1 - at(t_in_a, i1) * c_2) -
-                   (at(half_a, i1) * abs(c_2) + at(half_a, i2) * abs(c_1) + at(half_b, j1) * abs(at(column(C, j2), i)) +
-                    at(half_b, j2) * abs(at(column(C, j1), i)));
+                   (at(half_a, i1) * abs(c_2) + at(half_a, i2) * abs(c_1) + at(half_b, j1) * abs(entry(C, i, j2)) +
+                    at(half_b, j2) * abs(entry(C, i, j1)));
       if (along <= bar) continue;
       wide sine2 = c_1 * c_1 + c_2 * c_2;
       if (sine2 < 1.0e-8) continue;  // parallel: a face direction says the same
@@ -204,7 +203,7 @@ void find_contacts(wide reach) {
   wide face_a = -NONE, face_b = -NONE;
   int axis_a = 0, axis_b = 0;
   for (int i = 0; i < 3; ++i) {
-    wide3 row = abs(wide3(at(C[0], i), at(C[1], i), at(C[2], i))), axis = abs(column(C, i));
+    wide3 row = abs(wide3(entry(C, i, 0), entry(C, i, 1), entry(C, i, 2))), axis = abs(column(C, i));
     wide s_a = abs(at(t_in_a, i)) - at(half_a, i) - (row.x * half_b.x + row.y * half_b.y + row.z * half_b.z);
     wide s_b = abs(at(t_in_b, i)) - at(half_b, i) - (axis.x * half_a.x + axis.y * half_a.y + axis.z * half_a.z);
     if (!(s_a < reach) || !(s_b < reach)) return;

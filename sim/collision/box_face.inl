@@ -133,7 +133,7 @@ wide clip_box_face(FaceQuery q, int axis) {
   wide up = sign_of(at(q.t, k)), height = at(q.h, k), h_x = at(q.h, k1), h_y = at(q.h, k2);
 
   // The incident face looks most nearly against the reference face. Ties go to the lower axis, clearly.
-  wide3 towards = wide3(at(q.C[0], k), at(q.C[1], k), at(q.C[2], k));
+  wide3 towards = wide3(entry(q.C, k, 0), entry(q.C, k, 1), entry(q.C, k, 2));
   int m = 0;
   for (int j = 1; j < 3; ++j) {
     if (abs(at(towards, j)) > abs(at(towards, m)) + 1.0e-6) m = j;
@@ -207,14 +207,9 @@ bool kept_contact(int i, wide3& y_a, wide3& n, wide& d, uint& feature) {
   bool of_second = ((kept_base >> 11) & 1u) != 0u;
   int k = int((kept_base >> 9) & 3u), k1 = next_axis(k), k2 = next_axis(k1);
   wide up = ((kept_base >> 8) & 1u) != 0u ? -1.0 : 1.0, height = of_second ? at(half_b, k) : at(half_a, k);
-  mat_wide3 R = a.R;
-  wide3 c = a.c;
-  if (of_second) {
-    R = b.R;
-    c = b.c;
-  }
-  n = up * column(R, k);
-  y_a = c + height * n + corner.p.x * column(R, k1) + corner.p.y * column(R, k2);
+  n = up * (of_second ? column(b.R, k) : column(a.R, k));
+  wide3 along_x = of_second ? column(b.R, k1) : column(a.R, k1), along_y = of_second ? column(b.R, k2) : column(a.R, k2);
+  y_a = (of_second ? b.c : a.c) + height * n + corner.p.x * along_x + corner.p.y * along_y;
   d = corner.p.z;
   feature = kept_base | uint(corner.line);
   return of_second;

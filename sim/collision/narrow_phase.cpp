@@ -78,56 +78,54 @@ void find(const Placed<A>& a, const Placed<B>& b, double reach, Contacts& out,
 }  // namespace
 }  // namespace text
 
-using namespace text;
-
 void sphere_sphere(const Placed<Sphere>& a, const Placed<Sphere>& b, double reach, Contacts& out) {
-  find<SphereSphere>(a, b, reach, out);
+  text::find<text::SphereSphere>(a, b, reach, out);
 }
 
 void capsule_sphere(const Placed<Capsule>& capsule, const Placed<Sphere>& sphere, double reach,
                     Contacts& out) {
-  find<CapsuleSphere>(capsule, sphere, reach, out);
+  text::find<text::CapsuleSphere>(capsule, sphere, reach, out);
 }
 
 void capsule_capsule(const Placed<Capsule>& a, const Placed<Capsule>& b, double reach, Contacts& out) {
-  find<CapsuleCapsule>(a, b, reach, out);
+  text::find<text::CapsuleCapsule>(a, b, reach, out);
 }
 
 void sphere_plane(const Placed<Plane>& plane, const Placed<Sphere>& sphere, double reach, Contacts& out) {
-  find<PlaneSphere>(plane, sphere, reach, out);
+  text::find<text::PlaneSphere>(plane, sphere, reach, out);
 }
 
 void capsule_plane(const Placed<Plane>& plane, const Placed<Capsule>& capsule, double reach, Contacts& out) {
-  find<PlaneCapsule>(plane, capsule, reach, out);
+  text::find<text::PlaneCapsule>(plane, capsule, reach, out);
 }
 
 void box_sphere(const Placed<Box>& box, const Placed<Sphere>& sphere, double reach, Contacts& out) {
-  find<BoxSphere>(box, sphere, reach, out);
+  text::find<text::BoxSphere>(box, sphere, reach, out);
 }
 
 void hull_sphere(const Placed<Hull>& hull, const Placed<Sphere>& sphere, double reach, Contacts& out) {
   const HullView view = view_of(*hull.shape.data);
-  find<HullSphere>(hull, sphere, reach, out, &view);
+  text::find<text::HullSphere>(hull, sphere, reach, out, &view);
 }
 
 void hull_capsule(const Placed<Hull>& hull, const Placed<Capsule>& capsule, double reach, Contacts& out) {
   const HullView view = view_of(*hull.shape.data);
-  find<HullCapsule>(hull, capsule, reach, out, &view);
+  text::find<text::HullCapsule>(hull, capsule, reach, out, &view);
 }
 
 void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double reach, Contacts& out) {
   const BoxHull hull(box.shape.half);
   const HullView view = hull.view();
-  find<HullCapsule>(box, capsule, reach, out, &view);
+  text::find<text::HullCapsule>(box, capsule, reach, out, &view);
 }
 
 void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts& out) {
-  BoxBox pair(text_body(a), text_body(b), out);
+  text::BoxBox pair(text::text_body(a), text::text_body(b), out);
   pair.find_contacts(reach);
   for (int k = 0; k < pair.kept_count; ++k) {
-    wide3 y_a, n;
-    wide d;
-    uint feature;
+    text::wide3 y_a, n;
+    text::wide d;
+    text::uint feature;
     const bool of_second = pair.kept_contact(k, y_a, n, d, feature);
     pair.add_contact_at(of_second, y_a, n, d, feature);
   }

@@ -96,6 +96,7 @@ inline wide at(const wide3& v, int k) {
   return v.*kPlace[k];
 }
 inline wide3 column(const mat_wide3& M, int k) { return M[k]; }
+inline wide entry(const mat_wide3& M, int row, int k) { return M.m(row, k); }
 
 // A convex polyhedron in its own frame; its arrays are read by the functions below.
 struct TextHull {
