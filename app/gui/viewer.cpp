@@ -35,7 +35,7 @@ namespace pabd {
 namespace {
 
 constexpr int kStartWidth = 1280, kStartHeight = 720;
-constexpr std::size_t kMostSizes = 24;  // text sizes that are kept
+constexpr std::size_t kMostTextSizes = 24;  // text sizes that are kept
 
 double seconds_now() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
@@ -211,7 +211,7 @@ struct Viewer::Impl {
 
   void restyle() {
     if (themed_dark == ui.dark && themed_unit == unit()) return;
-    if (themed_unit != unit() && fonts.size_count() > kMostSizes) fonts.forget_sizes();
+    if (themed_unit != unit() && fonts.size_count() > kMostTextSizes) fonts.forget_sizes();
     themed_dark = ui.dark;
     themed_unit = unit();
     apply_gui_theme(ImGui::GetStyle(), ui.dark, unit());
