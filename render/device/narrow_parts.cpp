@@ -40,7 +40,7 @@ const std::vector<PairOfKinds>& pairs_of_kinds() {
       {kDeviceBox, kDevicePlane, one, {narrow_plane_box}},
       {kDeviceBox, kDeviceSphere, one, {box_sphere}},
       {kDeviceBox, kDeviceCapsule, five, {side_by_side, narrow_hull, hull_distance, hull_capsule}},
-      {kDeviceBox, kDeviceBox, three, {side_by_side, box_face, box_box, narrow_kept}},
+      {kDeviceBox, kDeviceBox, three, {side_by_side, narrow_box_face, narrow_box_box}},
       {kDevicePlane, kDeviceHull, eight, {narrow_hull, narrow_spread, narrow_plane_hull}},
       {kDeviceSphere, kDeviceHull, one, {narrow_hull, hull_distance, hull_sphere}},
       {kDeviceCapsule, kDeviceHull, five, {side_by_side, narrow_hull, hull_distance, hull_capsule}},

@@ -13,16 +13,6 @@
 #include "sim/collision/pair_text.h"
 
 namespace pabd::narrow {
-namespace text {
-namespace {
-
-struct SideBySide : CommonText {
-#include "sim/collision/side_by_side.inl"
-};
-
-}  // namespace
-}  // namespace text
-
 namespace {
 
 using text::SideBySide;

@@ -57,18 +57,6 @@ struct HullCapsule : PairText {
 #include "sim/collision/hull_capsule.inl"
 };
 
-// A word of GLSL, which keeps drivers from rounding otherwise.
-#define precise
-struct BoxBox : PairText {
-  using PairText::PairText;
-#include "sim/collision/side_by_side.inl"
-
-#include "sim/collision/box_face.inl"
-
-#include "sim/collision/box_box.inl"
-};
-#undef precise
-
 template <class Text, class A, class B>
 void find(const Placed<A>& a, const Placed<B>& b, double reach, Contacts& out,
           const HullView* hull = nullptr) {
@@ -117,18 +105,6 @@ void box_capsule(const Placed<Box>& box, const Placed<Capsule>& capsule, double 
   const BoxHull hull(box.shape.half);
   const HullView view = hull.view();
   text::find<text::HullCapsule>(box, capsule, reach, out, &view);
-}
-
-void box_box(const Placed<Box>& a, const Placed<Box>& b, double reach, Contacts& out) {
-  text::BoxBox pair(text::text_body(a), text::text_body(b), out);
-  pair.find_contacts(reach);
-  for (int k = 0; k < pair.kept_count; ++k) {
-    text::wide3 y_a, n;
-    text::wide d;
-    text::uint feature;
-    const bool of_second = pair.kept_contact(k, y_a, n, d, feature);
-    pair.add_contact_at(of_second, y_a, n, d, feature);
-  }
 }
 
 }  // namespace pabd::narrow

@@ -101,4 +101,6 @@ inline bool is_nearly(double separation, double other, double smallest_half) {
 
 inline constexpr double kNone = std::numeric_limits<double>::infinity();  // d where there is no contact
 
+inline double sign_of(double x) { return x < 0 ? -1.0 : 1.0; }
+
 }  // namespace pabd::narrow

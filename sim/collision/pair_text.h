@@ -22,12 +22,6 @@ namespace pabd::narrow::text {
 using wide = double;
 using uint = std::uint32_t;
 
-struct wide2 {
-  wide x, y;
-  wide2() = default;
-  wide2(wide x_, wide y_) : x(x_), y(y_) {}
-};
-
 struct wide3 {
   wide x, y, z;
   wide3() = default;
@@ -46,17 +40,10 @@ struct mat_wide3 {
 
 struct uvec2 {
   uint x, y;
-  uvec2() = default;
-  uvec2(uint x_, uint y_) : x(x_), y(y_) {}
 };
 struct uvec4 {
   uint x, y, z, w;
 };
-
-inline wide2 operator+(const wide2& a, const wide2& b) { return {a.x + b.x, a.y + b.y}; }
-inline wide2 operator-(const wide2& a, const wide2& b) { return {a.x - b.x, a.y - b.y}; }
-inline wide2 operator/(const wide2& a, wide s) { return {a.x / s, a.y / s}; }
-inline wide dot(const wide2& a, const wide2& b) { return a.x * b.x + a.y * b.y; }
 
 inline wide3 operator-(const wide3& a) { return {-a.x, -a.y, -a.z}; }
 inline wide3 operator+(const wide3& a, const wide3& b) { return {a.x + b.x, a.y + b.y, a.z + b.z}; }
@@ -64,8 +51,6 @@ inline wide3 operator-(const wide3& a, const wide3& b) { return {a.x - b.x, a.y 
 inline wide3 operator*(const wide3& a, const wide3& b) { return {a.x * b.x, a.y * b.y, a.z * b.z}; }
 inline wide3 operator*(wide s, const wide3& a) { return {s * a.x, s * a.y, s * a.z}; }
 inline wide3 operator/(const wide3& a, wide s) { return {a.x / s, a.y / s, a.z / s}; }
-inline wide3& operator+=(wide3& a, const wide3& b) { return a = a + b; }
-inline wide3& operator*=(wide3& a, wide s) { return a = s * a; }
 inline wide3& operator/=(wide3& a, wide s) { return a = a / s; }
 inline wide dot(const wide3& a, const wide3& b) { return a.x * b.x + a.y * b.y + a.z * b.z; }
 inline wide3 cross(const wide3& a, const wide3& b) {
@@ -74,12 +59,9 @@ inline wide3 cross(const wide3& a, const wide3& b) {
 
 inline wide3 operator*(const mat_wide3& M, const wide3& v) { return Vec3(M.m * Vec3(v)); }
 inline wide3 operator*(const wide3& v, const mat_wide3& M) { return Vec3(M.m.transpose() * Vec3(v)); }
-inline mat_wide3 transpose(const mat_wide3& M) { return Mat3(M.m.transpose()); }
 
 using std::abs;
 using std::sqrt;
-inline int min(int a, int b) { return std::min(a, b); }
-inline int max(int a, int b) { return std::max(a, b); }
 inline wide min(wide a, wide b) { return std::min(a, b); }
 inline wide max(wide a, wide b) { return std::max(a, b); }
 inline wide clamp(wide x, wide low, wide high) { return std::clamp(x, low, high); }
@@ -88,7 +70,6 @@ inline wide3 clamp(const wide3& v, const wide3& low, const wide3& high) {
   return {one(v.x, low.x, high.x), one(v.y, low.y, high.y), one(v.z, low.z, high.z)};
 }
 inline wide3 abs(const wide3& v) { return {abs(v.x), abs(v.y), abs(v.z)}; }
-inline wide2 abs(const wide2& v) { return {abs(v.x), abs(v.y)}; }
 
 // By a variable index.
 inline wide at(const wide3& v, int k) {
@@ -96,7 +77,6 @@ inline wide at(const wide3& v, int k) {
   return v.*kPlace[k];
 }
 inline wide3 column(const mat_wide3& M, int k) { return M[k]; }
-inline wide entry(const mat_wide3& M, int row, int k) { return M.m(row, k); }
 
 // A convex polyhedron in its own frame; its arrays are read by the functions below.
 struct TextHull {
@@ -170,6 +150,10 @@ struct CommonText {
 #include "sim/collision/pair_common.inl"
 };
 
+struct SideBySide : CommonText {
+#include "sim/collision/side_by_side.inl"
+};
+
 // The two bodies, and where their contacts go.
 struct PairText : CommonText {
   TextBody a, b;  // a goes first, or owns the normal
@@ -182,11 +166,6 @@ struct PairText : CommonText {
   // y_b: on the surface of the body that does not own the normal n.
   void add_contact(bool b_owns, const wide3& y_b, const wide3& n, wide d, uint feature) {
     narrow::add_contact(out, b_owns ? b.number : a.number, b_owns ? a.number : b.number, y_b, n, d, feature);
-  }
-  // y_a: on that of the one that owns it.
-  void add_contact_at(bool b_owns, const wide3& y_a, const wide3& n, wide d, uint feature) {
-    out.push_back(
-        {b_owns ? b.number : a.number, b_owns ? a.number : b.number, y_a, y_a + d * n, n, d, feature});
   }
 };
 

@@ -87,4 +87,3 @@ FoundContact found_contact(int k);
 
 wide at(wide3 v, int k) { return k == 0 ? v.x : k == 1 ? v.y : v.z; }
 wide3 column(mat_wide3 M, int k) { return k == 0 ? M[0] : k == 1 ? M[1] : M[2]; }
-wide entry(mat_wide3 M, int row, int k) { return at(column(M, k), row); }
