@@ -81,7 +81,7 @@ AnyAction parse_action(ActionJson a, const std::string& what) {
   if (!command_from_json(name, a, what, own))
     refuse_action(what, fmt::format("there is no {}{}", in_quotes(name), did_you_mean(name, all_names())));
   try {
-    std::visit([](const auto& a) { check_words(a); }, own);
+    std::visit([](const auto& action) { check_words(action); }, own);
     std::visit(Checker{what}, own);
   } catch (const Error& error) {
     if (error.source() == what) throw;
