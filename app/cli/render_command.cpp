@@ -219,7 +219,7 @@ int render(const RenderOptions& asked) {
 
   const InterruptGuard interrupt;
   std::optional<Progress> progress(std::in_place, "frame", range.count, !options.common.quiet);
-  const auto show = [&](int frames, const StepSummary& step) { progress->update(frames, step); };
+  const auto show = [&](int done, const StepSummary& step) { progress->update(done, step); };
   const RenderWatch watch{[&] { return interrupt.requested(); }, show};
   std::optional<DeviceFilm> film;
   if (filmed) {
