@@ -66,7 +66,8 @@ bool same_law(const BondLaw& a, const BondLaw& b) { return json_of_law(a) == jso
 
 std::vector<std::pair<std::string, std::string>> joint_settings(const BondLaw& law) {
   std::vector<std::pair<std::string, std::string>> out;
-  for (const auto& [key, value] : json_of_law(law).items())
+  const OrderedJson json = json_of_law(law);
+  for (const auto& [key, value] : json.items())
     out.emplace_back(fmt::format("{}.{}", kJointSettings, key), text_of(value));
   return out;
 }

@@ -1,27 +1,19 @@
 // SPDX-License-Identifier: MIT
 // PNG files read back, through libpng. A file is hostile until it is read: sides and chunk sizes are limited
-// before anything is allocated, and a picture that its file is too short for is refused. Text is unpacked here, so that
-// only so much of it is.
+// before anything is allocated, and a picture that its file is too short for is refused.
 #include <fmt/format.h>
 #include <png.h>
-#include <zlib.h>
 
-#include <algorithm>
-#include <array>
 #include <cerrno>
 #include <csetjmp>
 #include <cstdio>
 #include <cstring>
 #include <memory>
-#include <new>
-#include <span>
-#include <string_view>
 #include <vector>
 
 #include "render/output/png.h"
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
-#include "sim/base/utf8.h"
 
 namespace pabd {
 namespace fs = std::filesystem;
@@ -29,9 +21,7 @@ namespace {
 
 constexpr png_uint_32 most_chunks = 1000;
 constexpr png_alloc_size_t largest_chunk = 8 << 20;
-constexpr png_byte text_chunks[] = "tEXt\0zTXt\0iTXt", not_needed[] = "tEXt\0zTXt\0iTXt\0sPLT",
-                   picture_chunk[] = "IDAT";
-constexpr std::size_t most_text = std::size_t{16} << 20;  // bytes in a file, unpacked
+constexpr png_byte not_needed[] = "tEXt\0zTXt\0iTXt\0sPLT";
 // Deflate cannot make anything smaller than this times.
 constexpr double best_compression = 1032;
 
@@ -63,85 +53,6 @@ void on_warning(png_structp png, png_const_charp message) {
   if (std::strstr(message, "too large")) png_error(png, message);
 }
 
-[[noreturn]] void refuse_text(const fs::path& path) {
-  throw Error(ErrorKind::bad_input,
-              fmt::format("{}: this PNG file holds more than {} bytes of text", path.string(), most_text));
-}
-
-// Chunks of text, unpacked.
-class TextOfChunks {
- public:
-  explicit TextOfChunks(const fs::path& path) : path_(path) {}
-
-  // What is not well-formed is no text, as for every reader of PNG files.
-  void add(std::string_view kind, std::string_view data) {
-    spend(data.size());
-    const auto cut = [&data] {  // up to the next zero byte
-      const std::size_t end = std::min(data.find('\0'), data.size());
-      const std::string_view part = data.substr(0, end);
-      data.remove_prefix(std::min(end + 1, data.size()));
-      return part;
-    };
-    const bool closed = data.find('\0') != std::string_view::npos;
-    const std::string_view key = cut();
-    if (!closed || key.empty() || key.size() > kLongestKey) return;
-    bool packed = kind == "zTXt";
-    if (packed) {
-      if (data.empty() || data[0] != 0) return;
-      data.remove_prefix(1);
-    } else if (kind == "iTXt") {
-      if (data.size() < 2 || data[0] > 1 || data[0] < 0 || data[1] != 0) return;
-      packed = data[0] == 1;
-      data.remove_prefix(2);
-      cut();  // language
-      cut();  // the keyword in it
-    }
-    std::string text(packed ? std::string_view() : data);
-    if (packed && !inflate_text(data, text)) return;
-    if (kind != "iTXt") {
-      text = utf8_from_latin1(text);
-    } else if (!is_utf8_text(text)) {
-      return;
-    }
-    texts_.emplace(utf8_from_latin1(key), std::move(text));
-  }
-
-  PngText take() { return std::move(texts_); }
-
- private:
-  static constexpr std::size_t kPart = 1 << 16, kLongestKey = 79;
-
-  void spend(std::size_t bytes) {
-    if (bytes > budget_) refuse_text(path_);
-    budget_ -= bytes;
-  }
-
-  // False when it cannot be unpacked.
-  bool inflate_text(std::string_view packed, std::string& text) {
-    z_stream stream = {};
-    if (::inflateInit(&stream) != Z_OK) throw std::bad_alloc();
-    const std::unique_ptr<z_stream, int (*)(z_stream*)> guard(&stream, &::inflateEnd);
-    stream.next_in = reinterpret_cast<Bytef*>(const_cast<char*>(packed.data()));
-    stream.avail_in = static_cast<uInt>(packed.size());
-    std::array<char, kPart> part;
-    for (int state = Z_OK; state != Z_STREAM_END;) {
-      const std::size_t room = std::min(part.size(), budget_ + 1);
-      stream.next_out = reinterpret_cast<Bytef*>(part.data());
-      stream.avail_out = static_cast<uInt>(room);
-      state = ::inflate(&stream, Z_NO_FLUSH);
-      const std::size_t got = room - stream.avail_out;
-      spend(got);
-      text.append(part.data(), got);
-      if (state != Z_OK && state != Z_STREAM_END) return false;
-    }
-    return true;
-  }
-
-  fs::path path_;
-  std::size_t budget_ = most_text;
-  PngText texts_;
-};
-
 // A PNG file open for reading, closed and freed at the end of the scope.
 class PngReader {
  public:
@@ -169,21 +80,15 @@ class PngReader {
   PngReader(const PngReader&) = delete;
   PngReader& operator=(const PngReader&) = delete;
 
-  // `with_text`: the picture is skipped.
-  bool read_header(bool with_text = false) {
+  bool read_header() {
     if (setjmp(png_jmpbuf(png_))) return false;
     png_set_read_fn(png_, &decoder_, on_read);
     png_set_sig_bytes(png_, 8);
     png_set_user_limits(png_, png_largest_side, png_largest_side);
     png_set_chunk_cache_max(png_, most_chunks);
     png_set_chunk_malloc_max(png_, largest_chunk);
-    if (with_text) {
-      png_set_crc_action(png_, PNG_CRC_DEFAULT, PNG_CRC_ERROR_QUIT);
-      png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, picture_chunk, 1);
-      png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_ALWAYS, text_chunks, 3);
-    } else {  // text is no part of the picture, and may be packed a thousandfold
-      png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, not_needed, 4);
-    }
+    // Text is no part of the picture, and may be packed a thousandfold.
+    png_set_keep_unknown_chunks(png_, PNG_HANDLE_CHUNK_NEVER, not_needed, 4);
     png_read_info(png_, info_);
     return true;
   }
@@ -213,23 +118,6 @@ class PngReader {
     }
     png_read_end(png_, nullptr);
     return true;
-  }
-
-  // Of read_header(true): to the end of the file.
-  bool read_rest() {
-    if (setjmp(png_jmpbuf(png_))) return false;
-    png_read_end(png_, info_);
-    return true;
-  }
-  std::span<const png_unknown_chunk> chunks() const {
-    png_unknown_chunkp chunks = nullptr;
-    const int count = png_get_unknown_chunks(png_, info_, &chunks);
-    return {chunks, static_cast<std::size_t>(count)};
-  }
-  // Why the text could not be read.
-  [[noreturn]] void fail_text() const {
-    if (std::strstr(decoder_.message, "too large")) refuse_text(path_);
-    fail();
   }
 
   [[noreturn]] void fail() const {
@@ -268,16 +156,6 @@ Image read_png(const fs::path& path) {
   image.resize(reader.width(), reader.height());
   if (!reader.read_pixels(image.rgb.data())) reader.fail();
   return image;
-}
-
-PngText read_png_text(const fs::path& path) {
-  PngReader reader(path);
-  if (!reader.read_header(true) || !reader.read_rest()) reader.fail_text();
-  TextOfChunks text(path);
-  for (const png_unknown_chunk& chunk : reader.chunks())
-    text.add(reinterpret_cast<const char*>(chunk.name),
-             {reinterpret_cast<const char*>(chunk.data), chunk.size});
-  return text.take();
 }
 
 }  // namespace pabd
