@@ -20,10 +20,10 @@ namespace {
 
 // Tags of the file; what a system limits in a command line is left out.
 Arguments metadata(const PngText& about) {
-  constexpr std::size_t kMostText = 100'000;  // bytes; Linux takes 131072 an argument
+  constexpr std::size_t kMostOfTag = 100'000;  // bytes; Linux takes 131072 an argument
   Arguments list;
   const auto add = [&](const std::string& key, const std::string& value) {
-    if (value.size() <= kMostText) append(list, {"-metadata", key + "=" + value});
+    if (value.size() <= kMostOfTag) append(list, {"-metadata", key + "=" + value});
   };
   const auto scene = about.find("Scene");
   if (scene != about.end()) add("title", scene->second);
