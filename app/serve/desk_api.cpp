@@ -13,10 +13,10 @@ namespace {
 
 constexpr const char *kJson = "application/json", *kPng = "image/png";
 
-desk::Answer json_answer(int status, const OrderedJson& json) {
+desk::Answer answer_of(int status, const OrderedJson& json) {
   return {status, kJson, json_line(json) + "\n"};
 }
-desk::Answer refusal(int status, const std::string& why) { return json_answer(status, {{"error", why}}); }
+desk::Answer refusal(int status, const std::string& why) { return answer_of(status, {{"error", why}}); }
 
 // The desk was stopped during the script.
 struct LeftScript {};
@@ -75,11 +75,11 @@ void DeskWork::run(const desk::Run& run) {
     script.run(viewer_, runner_, options);
     OrderedJson done = {{"done", script.size()}};
     if (!printed.empty()) done["printed"] = printed;
-    reply(json_answer(200, done));
+    reply(answer_of(200, done));
   } catch (const Error& error) {
     OrderedJson json = {{"error", error.what()}};
     if (!action.is_null()) json["action"] = action;
-    reply(json_answer(422, json));
+    reply(answer_of(422, json));
   } catch (const LeftScript&) {
     reply(refusal(503, "the server is going down"));
   } catch (const std::exception& error) {
@@ -92,7 +92,7 @@ void DeskWork::answer(const desk::AskState& ask) {
     const std::scoped_lock turn(*options_.turn);
     draw();
   }
-  ask.reply(json_answer(200, state_document(viewer_.snapshot(), viewer_.ui())));
+  ask.reply(answer_of(200, state_document(viewer_.snapshot(), viewer_.ui())));
 }
 
 // Any visitor may ask, so the window and its input stay as they are.

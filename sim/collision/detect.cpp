@@ -54,7 +54,7 @@ static_assert(std::variant_size_v<Shape> == kKinds + 1);
 constexpr unsigned both(unsigned i, unsigned j) { return kKinds * i + j; }
 
 template <class T>
-Placed<T> as(const Placed<Shape>& body) {
+Placed<T> placed_as(const Placed<Shape>& body) {
   return {*std::get_if<T>(&body.shape), body.c, body.R, body.number, body.first};
 }
 
@@ -70,36 +70,36 @@ void collide(const Placed<Shape>& first, const Placed<Shape>& second, double rea
   if (swapped) std::swap(kind_i, kind_j);
   const Placed<Shape>&i = swapped ? second : first, &j = swapped ? first : second;
   using namespace narrow;
-  if (kind_i == kCompound) return compound_shape(as<Compound>(i), j, reach, out);
+  if (kind_i == kCompound) return compound_shape(placed_as<Compound>(i), j, reach, out);
   switch (both(kind_i, kind_j)) {
     case both(kBox, kBox):
-      return box_box(as<Box>(i), as<Box>(j), reach, out);
+      return box_box(placed_as<Box>(i), placed_as<Box>(j), reach, out);
     case both(kBox, kSphere):
-      return box_sphere(as<Box>(i), as<Sphere>(j), reach, out);
+      return box_sphere(placed_as<Box>(i), placed_as<Sphere>(j), reach, out);
     case both(kBox, kCapsule):
-      return box_capsule(as<Box>(i), as<Capsule>(j), reach, out);
+      return box_capsule(placed_as<Box>(i), placed_as<Capsule>(j), reach, out);
     case both(kSphere, kSphere):
-      return sphere_sphere(as<Sphere>(i), as<Sphere>(j), reach, out);
+      return sphere_sphere(placed_as<Sphere>(i), placed_as<Sphere>(j), reach, out);
     case both(kCapsule, kSphere):
-      return capsule_sphere(as<Capsule>(i), as<Sphere>(j), reach, out);
+      return capsule_sphere(placed_as<Capsule>(i), placed_as<Sphere>(j), reach, out);
     case both(kCapsule, kCapsule):
-      return capsule_capsule(as<Capsule>(i), as<Capsule>(j), reach, out);
+      return capsule_capsule(placed_as<Capsule>(i), placed_as<Capsule>(j), reach, out);
     case both(kPlane, kBox):
-      return box_plane(as<Plane>(i), as<Box>(j), reach, out);
+      return box_plane(placed_as<Plane>(i), placed_as<Box>(j), reach, out);
     case both(kPlane, kSphere):
-      return sphere_plane(as<Plane>(i), as<Sphere>(j), reach, out);
+      return sphere_plane(placed_as<Plane>(i), placed_as<Sphere>(j), reach, out);
     case both(kPlane, kCapsule):
-      return capsule_plane(as<Plane>(i), as<Capsule>(j), reach, out);
+      return capsule_plane(placed_as<Plane>(i), placed_as<Capsule>(j), reach, out);
     case both(kPlane, kHull):
-      return hull_plane(as<Plane>(i), as<Hull>(j), reach, out);
+      return hull_plane(placed_as<Plane>(i), placed_as<Hull>(j), reach, out);
     case both(kHull, kBox):
-      return hull_box(as<Hull>(i), as<Box>(j), reach, out);
+      return hull_box(placed_as<Hull>(i), placed_as<Box>(j), reach, out);
     case both(kHull, kCapsule):
-      return hull_capsule(as<Hull>(i), as<Capsule>(j), reach, out);
+      return hull_capsule(placed_as<Hull>(i), placed_as<Capsule>(j), reach, out);
     case both(kHull, kSphere):
-      return hull_sphere(as<Hull>(i), as<Sphere>(j), reach, out);
+      return hull_sphere(placed_as<Hull>(i), placed_as<Sphere>(j), reach, out);
     case both(kHull, kHull):
-      return hull_hull(as<Hull>(i), as<Hull>(j), reach, out);
+      return hull_hull(placed_as<Hull>(i), placed_as<Hull>(j), reach, out);
     default:
       return;  // two planes
   }

@@ -263,8 +263,11 @@ void FieldReader::read(const Node& node, const Field& field, Keyed<Value>& out) 
           fmt::format("the time {} s is not after that of the key before, {} s; expected rising times", t,
                       out.keys.back().first));
     out.keys.emplace_back(t, value_of(pair.element(1), field, kind));
-    in.record("time", t);
-    in.record("keys", Value(out.keys.back().second * unit));
+  }
+  if (field.or_constant && count == 1) return in_.record(field.key, out.keys[0].second);  // as the constant
+  for (const auto& [time, value] : out.keys) {
+    in.record("time", time);
+    in.record("keys", Value(value * unit));
   }
 }
 template void FieldReader::read(const Node&, const Field&, Keyed<double>&) const;

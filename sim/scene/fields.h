@@ -183,7 +183,10 @@ class FieldWriter : public NoRules {
       if (member) put(field, *member);
     } else {
       bool stated = !is_empty(member);
-      if constexpr (sizeof...(fallback) > 0) stated = !(is_default(member, fallback) && ...);
+      // An empty text or list says nothing, whatever its default; a number that is 0 may differ from its default.
+      [[maybe_unused]] constexpr bool always_says = !requires { member.empty(); };
+      if constexpr (sizeof...(fallback) > 0)
+        stated = (stated || always_says) && !(is_default(member, fallback) && ...);
       if (field.required || stated) put(field, member);
     }
   }

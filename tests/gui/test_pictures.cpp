@@ -140,7 +140,7 @@ TEST_CASE("the plot of a panel is written as what its name says") {
            {"do":"export_plot","panel":"series","path":"{out}/s.svg","may_fail":true},
            {"do":"expect","at":"/message","contains":"s.svg"},
            {"do":"export_plot","panel":"scenes","path":"{out}/x.svg","may_fail":true},
-           {"do":"expect","at":"/message","contains":"expected barrier"},
+           {"do":"expect","at":"/message","contains":"not one of \"barrier\""},
            {"do":"export_plot","panel":"series","path":"{out}/x.txt","may_fail":true},
            {"do":"expect","at":"/message","contains":".csv"}])",
        folder.path());
