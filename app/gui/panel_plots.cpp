@@ -71,7 +71,8 @@ void write_png_of(const Figure& figure, const PictureSize& size, const std::stri
   PngText text;
   text["Software"] = "pabd " PABD_VERSION;
   text["Caption"] = plain_text(figure.caption);
-  write_png(path, picture_to_image(figure_picture(figure, theme), size.width, size.height, theme.paper), text);
+  write_png(path, picture_to_image(figure_picture(figure, theme), size.width, size.height, theme.paper),
+            text);
 }
 
 }  // namespace
