@@ -40,10 +40,8 @@ struct Euler {
     // Three axes, no two neighbours alike.
     f(may("order",
           "The axes in the order of the turns: xyz is R = Rx(a) Ry(b) Rz(c). Turns about axes that stay "
-          "where they "
-          "are, as roll, pitch and yaw of URDF, are those of the body in the opposite order: [yaw, pitch, "
-          "roll] with "
-          "zyx")
+          "where they are, as roll, pitch and yaw of URDF, are those of the body in the opposite order: "
+          "[yaw, pitch, roll] with zyx")
           .one_of({"xyz", "xzy", "yxz", "yzx", "zxy", "zyx", "xyx", "xzx", "yxy", "yzy", "zxz", "zyz"}),
       order, "xyz");
   }
@@ -55,10 +53,10 @@ struct Orientation : std::variant<std::array<double, 4>, AxisAngle, Euler> {
   Orientation(double w, double x, double y, double z) : variant(std::array{w, x, y, z}) {}  // unit quaternion
 };
 
-inline constexpr Field kOrientation = may("orientation",
-                                          "How it stands: a unit quaternion [w, x, y, z], normalised when "
-                                          "its length is within 0.001 of 1; or an axis and an "
-                                          "angle, or Euler angles, in degrees");
+inline constexpr Field kOrientation =
+    may("orientation",
+        "How it stands: a unit quaternion [w, x, y, z], normalised when its length is within 0.001 of 1; or "
+        "an axis and an angle, or Euler angles, in degrees");
 
 // ---- what bodies and generators have in common ----
 
@@ -84,8 +82,7 @@ void touch_fields(auto&& f, std::optional<SurfaceFriction>& friction, std::optio
     restitution);
   f(may("group",
         "Group that it is of, or several: no_collide says which never touch each other. At most 64 groups in "
-        "a "
-        "scene"),
+        "a scene"),
     groups);
 }
 
@@ -96,25 +93,21 @@ struct Mesh {
   static constexpr const char* object = "mesh";
   static constexpr const char* help =
       "The convex hull of a closed surface in a file, or several as one body. The body's origin, and so its "
-      "position, "
-      "is the centre of mass, wherever the file has its own origin; its axes are those of the file";
+      "position, is the centre of mass, wherever the file has its own origin; its axes are those of the file";
   std::vector<std::string> files = {};
   double scale = 1;
   std::vector<std::vector<Vec3>> parts = {};  // m
   void fields(auto&& f) {
     f(may("file",
           "OBJ, STL (text or binary) or PLY (text or binary) file, relative to the scene's folder; at most "
-          "64 MiB and "
-          "200,000 faces, and 256 corners on the hull. A list of files: the convex parts of one body, in "
-          "common "
-          "coordinates. Where parts overlap, the matter counts once for each")
+          "64 MiB and 200,000 faces, and 256 corners on the hull. A list of files: the convex parts of one "
+          "body, in common coordinates. Where parts overlap, the matter counts once for each")
           .as_file("an OBJ, STL or PLY file"),
       files);
     f(may("scale", "Length of the file's unit in m", {1e-6, 1e6}), scale, 1.0);
     f(may("parts",
-          "In place of file: the corners of each convex part, as pabd import writes them; at most 256 "
-          "on the hull "
-          "of a part. In a body with inertia the origin of these numbers is the centre of mass",
+          "In place of file: the corners of each convex part, as pabd import writes them; at most 256 on the "
+          "hull of a part. In a body with inertia the origin of these numbers is the centre of mass",
           kPositionRange),
       parts);
     f.either("file", "parts");
@@ -180,10 +173,8 @@ struct Body {
     mass_fields(f, mass, density);
     f(may("inertia",
           "Moments of inertia [Ixx, Iyy, Izz, Ixy, Ixz, Iyz] about the centre of mass, along the body's "
-          "axes; with "
-          "mass. No principal moment is more than the other two together; laminas and rods, where it is as "
-          "much, get a "
-          "millionth across. Not for a plane",
+          "axes; with mass. No principal moment is more than the other two together; laminas and rods, where "
+          "it is as much, get a millionth across. Not for a plane",
           {-1e18, 1e18, "kg m²"})
           .or_else("that of matter spread evenly over the shape"),
       inertia);
@@ -191,8 +182,7 @@ struct Body {
     f(kOrientation, orientation);
     f(may("center_of_mass",
           "Where it is, from the centre of the shape and along the body's axes. position stays that of the "
-          "shape. Not "
-          "for a plane",
+          "shape. Not for a plane",
           kPositionRange)
           .or_else("[0, 0, 0]"),
       center_of_mass);
@@ -202,14 +192,12 @@ struct Body {
       angular_velocity, Vec3(Vec3::Zero()));
     f(may("surface_velocity",
           "How fast its surface goes on of itself, as a belt does, along the body's own axes: friction takes "
-          "along "
-          "what touches it",
+          "along what touches it",
           kVelocityRange),
       surface_velocity);
     f(may("force",
           "Force from outside at the centre of mass, along the axes of the world: a vector, or vectors at "
-          "given times "
-          "with straight lines between them. Not on a fixed body",
+          "given times with straight lines between them. Not on a fixed body",
           {-kMostForce, kMostForce, "N"})
           .or_value(),
       force);
@@ -254,10 +242,9 @@ struct Include {
   static constexpr const char* object = "include";
   static constexpr const char* help =
       "The bodies, generators, joints, groups, pairs that never touch and colours of another scene, and of "
-      "those that it "
-      "includes. Its planes are left out, and what they hold is held by the world; so are its parameters, "
-      "camera, "
-      "duration and what contacts remember. joints_default of its own holds for its own joints";
+      "those that it includes. Its planes are left out, and what they hold is held by the world; so are its "
+      "parameters, camera, duration and what contacts remember. joints_default of its own holds for its own "
+      "joints";
   std::string scene = {};
   std::string prefix = {};            // may be empty
   std::optional<Vec3> position = {};  // m
@@ -265,8 +252,7 @@ struct Include {
   void fields(auto&& f) {
     f(need("scene",
            "A scene file, named relative to the folder of the file that includes it; the program takes a "
-           "robot (.urdf, "
-           ".xml) as well")
+           "robot (.urdf, .xml) as well")
           .as_file("a scene file"),
       scene);
     f(may("prefix", "Begins every name of a body, joint and group that comes from there").or_else("nothing"),

@@ -128,8 +128,7 @@ struct Pile {
       shape, "box");
     f(may("size",
           "Edge lengths of a box. A sphere has the shortest edge as its diameter; the others three quarters "
-          "of that, "
-          "and the longest edge as their length, with caps",
+          "of that, and the longest edge as their length, with caps",
           kSizeRange),
       size, Vec3(Vec3::Ones()));
     f(may("position", "Centre of the bottom of the grid", kPositionRange), position, Vec3(Vec3::Zero()));
@@ -140,8 +139,7 @@ struct Pile {
       columns, [this](double) { return usual_columns(); });
     f(may("spacing",
           "Distance of grid points; at least the largest diameter plus contact.d_hat. What it exceeds that "
-          "by becomes "
-          "jitter",
+          "by becomes jitter",
           {0, 1e6, "m"})
           .or_else("1.1 times the largest diameter plus contact.d_hat"),
       spacing, [this](double d_hat) { return 1.1 * widest() + d_hat; });
@@ -179,8 +177,7 @@ struct Chain {
     f(may("shape", "Shape of a link").one_of(generated_shape_words(false)), shape, "box");
     f(may("size",
           "Length, height and width of a link. A sphere takes the length as its diameter; the others as "
-          "their length, "
-          "with caps, and the height as their diameter",
+          "their length, with caps, and the height as their diameter",
           kSizeRange),
       size, Vec3(1, 0.1, 0.1));
     f(may("position", "Start of the chain", kPositionRange), position, Vec3(Vec3::Zero()));
@@ -204,8 +201,7 @@ struct Net {
   static constexpr const char* type = "net";
   static constexpr const char* help =
       "Rows and columns of bodies, each joined to its neighbours. A flat net held on two sides can only sag "
-      "where its "
-      "joints give: joints_default with a kappa makes it elastic";
+      "where its joints give: joints_default with a kappa makes it elastic";
   std::string name = {};
   std::int64_t rows = 1, columns = 1;
   std::string shape = {};

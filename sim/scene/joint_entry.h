@@ -46,8 +46,7 @@ struct Law {
     const bool soft = potential.value_or(BondPotential::soft) == BondPotential::soft;
     f(may("kappa",
           "Stiffness in N/m (soft) or J (hard). auto: the weight of all movable bodies stretches a bond by "
-          "1e-8 of the "
-          "thickness of the thinnest",
+          "1e-8 of the thickness of the thinnest",
           {1e-12, 1e18, soft ? "N/m" : "J"})
           .or_auto()
           .or_else(otherwise),
@@ -99,8 +98,7 @@ struct Motor {
 struct Spring {
   static constexpr const char* help =
       "A spring: the torque or force -stiffness (x - rest), or one by a table. That of an angle takes the "
-      "shorter way "
-      "round";
+      "shorter way round";
   std::optional<double> stiffness = {};  // N m/rad or N/m
   std::optional<double> rest = {};       // where it gives nothing; degrees or m
   // In place of `stiffness`: (way from rest, what pulls back); degrees and N m, or m and N.
@@ -109,11 +107,9 @@ struct Spring {
     f(may("stiffness", "Stiffness", {0, kMostForce, turns ? "N m/rad" : "N/m"}), stiffness);
     f(may("table",
           turns ? "Pairs [angle from rest in degrees, torque that pulls back in N m], in place of stiffness: "
-                  "straight "
-                  "between them, and on beyond the first and the last"
+                  "straight between them, and on beyond the first and the last"
                 : "Pairs [offset from rest in m, force that pulls back in N], in place of stiffness: "
-                  "straight between "
-                  "them, and on beyond the first and the last",
+                  "straight between them, and on beyond the first and the last",
           turns ? kAngleRange : kPositionRange)
           .turning(turns),
       table);
@@ -127,8 +123,7 @@ struct Spring {
 struct Follows {
   static constexpr const char* help =
       "Makes the angle or offset ratio × that of another joint + offset: gears, a rack and its pinion, "
-      "fingers that "
-      "close together";
+      "fingers that close together";
   std::string joint;                  // name of the other one
   double ratio = 1;                   // rad, m per rad, m
   std::optional<double> offset = {};  // degrees or m; empty: as both stand at the start
@@ -136,8 +131,7 @@ struct Follows {
     f(need("joint", "Name of the other joint, a hinge, slider or cylindrical joint (its offset)"), joint);
     f(need("ratio",
            "Not 0. Angles count in rad, offsets in m: minus the ratio of the teeth for two gears, the radius "
-           "of the "
-           "pinion for a rack",
+           "of the pinion for a rack",
            {-1e6, 1e6}),
       ratio);
     f(may("offset", "What is added", {-1e6, 1e6, turns ? "degrees" : "m"})
@@ -197,15 +191,13 @@ struct Joint {
       points);
     f(may("anchors",
           "In place of anchor, with frames: where the anchors on i and j stand at the start, world frame. "
-          "Scenes that "
-          "were saved in mid-run have it: there a joint is not at 0",
+          "Scenes that were saved in mid-run have it: there a joint is not at 0",
           kPositionRange)
           .only(!has.points),
       anchors);
     f(may("frames",
           "In place of axis, with anchors: how the frames on i and j stand at the start, as orientations of "
-          "bodies; x "
-          "is the axis. Angle and offset are 0 where the frames coincide")
+          "bodies; x is the axis. Angle and offset are 0 where the frames coincide")
           .only(!has.points),
       frames);
     f(may("anchor", "Place of the joint at the start, world frame", kPositionRange).only(!has.points),
@@ -231,19 +223,16 @@ struct Joint {
     f(may("arm", "Distance of the points beside the anchor that hold the rotation", kSizeRange)
           .only(!has.points)
           .or_else("half the bounding radius of the smaller body, of a slider or cylindrical joint at least "
-                   "as far as "
-                   "the centre of mass of the body that hangs on it"),
+                   "as far as the centre of mass of the body that hangs on it"),
       arm);
     f(may("symmetric",
           "true: points on both sides of the anchor for every rotation that is held; false: on one side "
-          "only, which "
-          "moves bodies asymmetrically")
+          "only, which moves bodies asymmetrically")
           .only(!has.points),
       symmetric, true);
     f(may("start",
           "Angle or offset at which the joint starts. Bodies, anchors and axes are told at 0; what hangs on "
-          "the far "
-          "side is moved with it. Limits include it in place of 0",
+          "the far side is moved with it. Limits include it in place of 0",
           range)
           .only(has.moves),
       start);
@@ -265,8 +254,7 @@ struct Joint {
       turn);
     f(may("axes",
           "Along which of those axes points of j are held by the drive: one leaves j free to turn about it, "
-          "two or "
-          "three hold it entirely")
+          "two or three hold it entirely")
           .only(has.turn)
           .one_of({"x", "y", "z", "xy", "xz", "yz", "xyz"})
           .or_else("xyz"),
@@ -297,8 +285,7 @@ struct Joint {
       follows);
     f(may("lead",
           "Of a screw: how far j moves along the axis in a turn, in m; below 0, left-handed. Not together "
-          "with follows "
-          "or drive",
+          "with follows or drive",
           {-1e6, 1e6})
           .only(has.screw),
       lead);

@@ -174,8 +174,7 @@ class SchemaMaker {
     OrderedJson keys = array_of(pair, 1, 0);
     keys["description"] =
         "Pairs [time in s, value] with rising times, with straight lines between them; before the first and "
-        "after the "
-        "last the value stays.";
+        "after the last the value stays.";
     const OrderedJson object{{"type", "object"},
                              {"additionalProperties", false},
                              {"properties", {{"value", stays}, {"keys", keys}}},
