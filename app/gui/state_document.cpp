@@ -7,6 +7,7 @@
 #include "app/workbench/command_json.h"
 #include "sim/base/ordered_json.h"
 #include "sim/scene/tuning.h"
+#include "sim/solver/step_numbers.h"
 #include "sim/trace/trace.h"
 
 namespace pabd {
@@ -16,11 +17,20 @@ constexpr std::size_t kMostBodies = 100;
 
 OrderedJson vec(const Vec3& v) { return {v.x(), v.y(), v.z()}; }
 
+OrderedJson report_json(const StepReport& report) {
+  OrderedJson out = {{"method", to_string(report.method)},
+                     {"status", to_string(report.status)},
+                     {"records", report.records.size()},
+                     {"contact_reports", report.contact_reports.size()}};
+  for (const StepNumber& number : step_numbers())
+    std::visit([&](const auto of) { out[std::string(number.name)] = report.*of; }, number.member);
+  return out;
+}
+
 OrderedJson run_json(const RunView& run) {
   OrderedJson params = OrderedJson::parse(params_json(run.params));
   OrderedJson changed = OrderedJson::object();
   for (const auto& [key, value] : run.changed) changed[key] = value;
-  const StepReport& r = run.report;
   OrderedJson bodies = OrderedJson::array();
   for (std::size_t i = 0; i < std::min(kMostBodies, run.state->c.size()); ++i) {
     bodies.push_back({{"name", run.model->name[i]},
@@ -47,18 +57,7 @@ OrderedJson run_json(const RunView& run) {
           {"changed", std::move(changed)},
           {"joints_default", OrderedJson::parse(parameters_json(run.params, run.kappa,
                                                                 &run.scene->joint_law))["joints_default"]},
-          {"report",
-           {{"method", to_string(r.method)},
-            {"status", to_string(r.status)},
-            {"iterations", r.iterations},
-            {"records", r.records.size()},
-            {"contacts", r.contacts},
-            {"contact_reports", r.contact_reports.size()},
-            {"kinetic", r.kinetic},
-            {"max_penetration", r.max_penetration},
-            {"max_joint_error", r.max_joint_error},
-            {"residual", r.residual},
-            {"friction_excess", r.friction_excess}}},
+          {"report", report_json(run.report)},
           {"pulls", run.pulls.size()},
           {"bodies", std::move(bodies)},
           {"body_count", run.model->shape.size()},

@@ -49,18 +49,9 @@ struct Quantity {
   X(log_barrier_slope, "B′/d̂²",              "1/m")   \
   X(log_potential,     "κ B/d̂²",             "J")     \
   X(log_force,         "κ B′/d̂²",            "N")     \
-  X(step,              "step",               "1")     \
-  X(least_gap,         "smallest gap",       "m")     \
-  X(kinetic,           "kinetic energy",     "J")     \
-  X(potential_energy,  "potential energy",   "J")     \
-  X(elastic,           "elastic energy",     "J")     \
   X(total,             "total energy",       "J")     \
-  X(drive_work,        "work of drives",     "J")     \
-  X(contacts,          "contacts",           "1")     \
-  X(iterations,        "iterations",         "1")     \
   X(stiffness,         "κ",                  "J")     \
   X(thickness,         "d̂",                  "m")     \
-  X(friction_excess,   "friction excess",    "1")     \
   X(solve_time,        "time of solving",    "ms")    \
   X(collision_time,    "time of collision",  "ms")
 // clang-format on

@@ -4,6 +4,10 @@
 
 #include <algorithm>
 #include <array>
+#include <cstring>
+#include <functional>
+
+#include "sim/solver/step_numbers.h"
 
 namespace pabd::python {
 
@@ -29,15 +33,6 @@ struct IterationRow {
 struct JointRow {
   Three force, moment, axis;
   double coupling;
-};
-
-struct StepRow {
-  std::int64_t step;
-  double time;
-  bool converged;
-  std::int32_t iterations, contacts;
-  double kinetic, potential, elastic, drive_work, kappa;
-  double max_penetration, min_gap, max_joint_error, residual, friction_excess, milliseconds;
 };
 
 namespace {
@@ -115,25 +110,52 @@ py::array joints_of(const StepReport& report) {
   });
 }
 
+// The numbers of a step in their order, then two that are none of the summary's.
 py::array steps_of(const Reports& reports) {
-  return rows<StepRow>(reports, [](const StepSummary& s) {
-    return StepRow{s.step,
-                   s.time,
-                   s.status == StepStatus::converged,
-                   s.iterations,
-                   s.contacts,
-                   s.kinetic,
-                   s.potential,
-                   s.elastic,
-                   s.drive_work,
-                   s.kappa,
-                   s.max_penetration,
-                   s.min_gap,
-                   s.max_joint_error,
-                   s.residual,
-                   s.friction_excess,
-                   s.times.total};
-  });
+  struct Column {
+    const char* name;
+    const char* format;
+    std::size_t size;
+    std::function<void(const StepSummary&, char*)> put;
+  };
+  std::vector<Column> columns;
+  const auto add = [&]<class Value>(const char* name, const char* format, Value value) {
+    using T = decltype(value(StepSummary()));
+    columns.push_back({name, format, sizeof(T), [value](const StepSummary& s, char* to) {
+                         const T x = value(s);
+                         std::memcpy(to, &x, sizeof x);
+                       }});
+  };
+  for (const StepNumber& number : step_numbers()) {
+    const char* name = number.name.data();
+    if (number.whole())
+      add(name, "i8", [&number](const StepSummary& s) {
+        return std::visit([&](const auto of) { return static_cast<std::int64_t>(s.*of); }, number.member);
+      });
+    else
+      add(name, "f8", [&number](const StepSummary& s) { return number.value(s); });
+  }
+  add("converged", "?", [](const StepSummary& s) { return s.status == StepStatus::converged; });
+  add("milliseconds", "f8", [](const StepSummary& s) { return s.times.total; });
+
+  py::list names, formats, offsets;
+  std::size_t row = 0;
+  for (const Column& column : columns) {
+    names.append(column.name);
+    formats.append(column.format);
+    offsets.append(row);
+    row += column.size;
+  }
+  py::array out(py::dtype(names, formats, offsets, static_cast<py::ssize_t>(row)),
+                std::vector<py::ssize_t>{count(reports)});
+  char* to = static_cast<char*>(out.mutable_data());
+  for (const StepSummary& step : reports) {
+    for (const Column& column : columns) {
+      column.put(step, to);
+      to += column.size;
+    }
+  }
+  return out;
 }
 
 py::array rgba_of(const Image& image) {
@@ -153,9 +175,6 @@ void register_rows() {
                        max_penetration_after, min_gap_before, min_gap_after, max_joint_error,
                        projection_change);
   PYBIND11_NUMPY_DTYPE(JointRow, force, moment, axis, coupling);
-  PYBIND11_NUMPY_DTYPE(StepRow, step, time, converged, iterations, contacts, kinetic, potential, elastic,
-                       drive_work, kappa, max_penetration, min_gap, max_joint_error, residual,
-                       friction_excess, milliseconds);
 }
 
 }  // namespace pabd::python

@@ -220,8 +220,7 @@ coupling what the joint that it follows drives its angle or offset with; N m or 
   property(
       "history", [](const Simulation& s) { return steps_of(s.history()); },
       R"(The last steps (20000 or more) since the start, reset() or restore(), a copy: structured array with the fields
-step, time (s), converged, iterations, contacts, kinetic, potential, elastic, drive_work (J), kappa (J),
-max_penetration, min_gap, max_joint_error (m), residual, friction_excess, milliseconds.)");
+converged, milliseconds, and the numbers of a step's report (assets/step_numbers.md).)");
 }
 
 py::dict stepped(Simulation& simulation, std::int64_t count) {

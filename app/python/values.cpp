@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-#include "sim/trace/step_numbers.h"
+#include "sim/solver/step_numbers.h"
 
 namespace pabd::python {
 

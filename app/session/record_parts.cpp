@@ -7,7 +7,7 @@
 #include <utility>
 #include <variant>
 
-#include "sim/trace/step_numbers.h"
+#include "sim/solver/step_numbers.h"
 
 namespace pabd {
 namespace {

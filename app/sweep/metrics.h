@@ -10,7 +10,7 @@
 #include <string_view>
 #include <vector>
 
-#include "sim/trace/step_numbers.h"
+#include "sim/solver/step_numbers.h"
 
 namespace pabd {
 

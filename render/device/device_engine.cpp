@@ -8,6 +8,7 @@
 #include <thread>
 
 #include "sim/base/error.h"
+#include "sim/solver/step_numbers.h"
 
 namespace pabd {
 namespace {
@@ -47,13 +48,11 @@ StepReport not_made(StepStatus status, const Model& model, const Params& params,
 }
 
 StepReport failed(const StepSummary& summary) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   StepReport report;
   static_cast<StepSummary&>(report) = summary;
   report.status = StepStatus::non_finite;
-  for (double* quantity : {&report.kinetic, &report.potential, &report.elastic, &report.max_penetration,
-                           &report.min_gap, &report.residual, &report.friction_excess})
-    *quantity = kUnknown;
+  report.residual = std::numeric_limits<double>::quiet_NaN();
+  forget_end(report);
   return report;
 }
 

@@ -8,6 +8,7 @@
 #include "sim/body/shape.h"
 #include "sim/collision/broad_phase.h"
 #include "sim/math/team.h"
+#include "sim/solver/step_numbers.h"
 
 namespace pabd {
 namespace {
@@ -220,23 +221,7 @@ void put_contacts(const ModelPart& part, const std::vector<ContactReport>& conta
 
 void add_report(const ModelPart& part, const StepReport& of_part, StepReport& out) {
   out.status = std::max(out.status, of_part.status);
-  out.iterations = std::max(out.iterations, of_part.iterations);
-  out.kinetic += of_part.kinetic;
-  out.potential += of_part.potential;
-  out.elastic += of_part.elastic;
-  out.contacts += of_part.contacts;
-  out.max_penetration = std::max(out.max_penetration, of_part.max_penetration);
-  out.min_gap = std::min(out.min_gap, of_part.min_gap);
-  out.max_joint_error = std::max(out.max_joint_error, of_part.max_joint_error);
-  out.residual = std::max(out.residual, of_part.residual);
-  out.left_pairs += of_part.left_pairs;
-  out.too_dense += of_part.too_dense;
-  out.drive_work += of_part.drive_work;
-  out.capped_bonds += of_part.capped_bonds;
-  out.held_bodies += of_part.held_bodies;
-  out.halved_bodies += of_part.halved_bodies;
-  out.halvings = std::max(out.halvings, of_part.halvings);
-  out.friction_excess = std::max(out.friction_excess, of_part.friction_excess);
+  add_numbers(of_part, out);
   out.times += of_part.times;
   put_contacts(part, of_part.contact_reports, out.contact_reports);
   for (IslandReport island : of_part.islands) {

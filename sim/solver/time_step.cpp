@@ -26,6 +26,7 @@
 #include "sim/solver/sissm.h"
 #include "sim/solver/solve.h"
 #include "sim/solver/step_memory.h"
+#include "sim/solver/step_numbers.h"
 #include "sim/solver/step_summary.h"
 
 namespace pabd {
@@ -189,12 +190,9 @@ void summarize(const Problem& p, StepMemory& m, const StepOptions& options, cons
 
 // The step was not made: what it would have ended with is not known.
 void fail(StepReport& report) {
-  constexpr double kUnknown = std::numeric_limits<double>::quiet_NaN();
   report.status = StepStatus::non_finite;
-  if (report.iterations == 0) report.residual = kUnknown;
-  for (double* quantity : {&report.kinetic, &report.potential, &report.elastic, &report.max_penetration,
-                           &report.min_gap, &report.max_joint_error})
-    *quantity = kUnknown;
+  if (report.iterations == 0) report.residual = std::numeric_limits<double>::quiet_NaN();
+  forget_end(report);
 }
 
 // Everything but the memory of its vectors.

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <string>
 
-#include "sim/trace/step_numbers.h"
+#include "sim/solver/step_numbers.h"
 #include "sim/trace/trace.h"
 
 namespace pabd {

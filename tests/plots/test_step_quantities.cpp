@@ -55,7 +55,7 @@ TEST_CASE("a path in the plane of two quantities, with the present step on it") 
   const std::vector<StepSummary> steps = reports();
   TimePanelOptions options;
   options.cursor = 0.31;
-  const Plot plot = quantity_plot(steps, quantity("penetration"), quantity("kinetic"), options);
+  const Plot plot = quantity_plot(steps, quantity("max_penetration"), quantity("kinetic"), options);
   CHECK(plot.x.label == "penetration [m]");
   CHECK(plot.y.label == "kinetic energy [J]");
   REQUIRE(plot.series.size() == 2);

@@ -55,7 +55,7 @@ def test_pictures_of_unknown_words_are_refused(words):
 def test_plots_are_svg():
     sim = pabd.load("two_boxes")
     sim.step(10)
-    for figure in (sim.plot(), sim.plot_quantity("kinetic"), sim.plot_quantity("gap", "penetration"),
+    for figure in (sim.plot(), sim.plot_quantity("kinetic"), sim.plot_quantity("min_gap", "max_penetration"),
                    pabd.load("two_boxes").plot_convergence(["sissm", "descent"], 20), pabd.plot_barrier(kappa=[50], onset=0.2)):
         root = xml.fromstring(figure._repr_svg_())
         assert root.tag.endswith("svg")

@@ -8,6 +8,7 @@
 
 #include "sim/scene/parameter_docs.h"
 #include "sim/scene/scene_schema.h"
+#include "sim/solver/step_numbers.h"
 #include "sim/solver/time_step.h"
 #include "tests/scene/scene_helpers.h"
 #include "tests/support/files.h"
@@ -306,7 +307,8 @@ TEST_CASE("figures of the shipped scenes", "[scene]") {
 
 TEST_CASE("the schema and the reference are what the lists of keys give", "[scene]") {
   const std::pair<const char*, std::string> made[] = {{"pabd-scene.schema.json", scene_schema()},
-                                                      {"keys.md", key_reference()}};
+                                                      {"keys.md", key_reference()},
+                                                      {"step_numbers.md", step_number_reference()}};
   for (const auto& [file, text] : made) {
     if (std::getenv("PABD_UPDATE_GOLDEN")) write_bytes(kAssets / file, text);
     INFO("PABD_UPDATE_GOLDEN=1 writes " << file << " anew");

@@ -11,7 +11,7 @@
 #include "sim/base/error.h"
 #include "sim/base/hash.h"
 #include "sim/scene/tuning.h"
-#include "sim/trace/step_numbers.h"
+#include "sim/solver/step_numbers.h"
 #include "tests/support/places.h"
 #include "tests/support/temp_folder.h"
 

@@ -1,10 +1,14 @@
 // SPDX-License-Identifier: MIT
 // Plans are read or refused at their place, and always mean the same tasks.
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <catch2/catch.hpp>
+#include <cstdlib>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <utility>
 
 #include "app/sweep/tasks.h"
 #include "sim/base/error.h"
@@ -232,8 +236,25 @@ TEST_CASE("a plan none of whose tasks the scene takes is wrong itself") {
   CHECK_NOTHROW(check_plan(some, tasks(some)));
 }
 
+// The list of pointers in the text of the schema is written by the program.
+std::string with_pointers(std::string schema) {
+  std::string list, line;
+  for (const StepNumber& number : step_numbers()) {
+    const std::string word = fmt::format("\"/{}\"", number.name);
+    if (line.size() + word.size() > 100) list += std::exchange(line, "") + ",\n        ";
+    line += (line.empty() ? "" : ", ") + word;
+  }
+  list += line;
+  const std::string before = "\"at\": {\n      \"enum\": [";
+  const std::size_t from = schema.find(before) + before.size();
+  return schema.replace(from, schema.find(']', from) - from, list);
+}
+
 TEST_CASE("the schema has the keys that the reader knows, and describes each") {
-  const auto schema = nlohmann::json::parse(read_bytes(kAssets / "pabd-sweep.schema.json"));
+  const std::string text = read_bytes(kAssets / "pabd-sweep.schema.json");
+  if (std::getenv("PABD_UPDATE_GOLDEN")) write_bytes(kAssets / "pabd-sweep.schema.json", with_pointers(text));
+  CHECK(text == with_pointers(text));
+  const auto schema = nlohmann::json::parse(text);
   for (const auto& [object, known] : plan_keys()) {
     CAPTURE(object);
     const auto& properties =
@@ -250,20 +271,9 @@ TEST_CASE("the schema has the keys that the reader knows, and describes each") {
     }
     CHECK(named == expected);
   }
-  std::set<std::string> at, metrics;
-  for (const StepNumber& number : step_numbers()) at.insert("/" + std::string(number.name));
+  std::set<std::string> metrics;
   for (const SweepMetric& metric : built_in_metrics()) metrics.insert(metric.name);
-  CHECK(schema["$defs"]["at"]["enum"].get<std::set<std::string>>() == at);
   CHECK(schema["$defs"]["metric_name"]["enum"].get<std::set<std::string>>() == metrics);
-}
-
-TEST_CASE("the README has every number of a report that a metric may take") {
-  const std::string readme =
-      read_bytes(std::filesystem::path(places::assets()).parent_path() / "app/sweep/README.md");
-  for (const StepNumber& number : step_numbers()) {
-    CAPTURE(number.name);
-    CHECK(readme.find("`/" + std::string(number.name) + "`") != std::string::npos);
-  }
 }
 
 }  // namespace pabd::test_plan

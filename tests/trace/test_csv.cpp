@@ -5,7 +5,7 @@
 #include <limits>
 #include <sstream>
 
-#include "sim/trace/step_numbers.h"
+#include "sim/solver/step_numbers.h"
 #include "sim/trace/trace.h"
 
 namespace pabd::test_csv {

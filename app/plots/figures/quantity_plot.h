@@ -2,6 +2,7 @@
 // Any number of a step against any other: against time, as a path in the plane of two of them else.
 #pragma once
 
+#include <functional>
 #include <span>
 #include <string>
 #include <string_view>
@@ -11,15 +12,16 @@
 namespace pabd {
 
 struct StepQuantity {
-  const char* key;    // "joint_error": in commands and settings
+  const char* key;    // "max_joint_error": in commands and settings
   const char* words;  // rich text, for lists
-  const char* axis;   // with unit
-  double (*value)(const StepSummary& step);
+  std::string axis;   // with unit
+  std::function<double(const StepSummary&)> value;
   bool integer = false;
 };
+// The numbers of a step (step_numbers.h), and after them what is made of them, and times.
 std::span<const StepQuantity> step_quantities();
 const StepQuantity* find_step_quantity(std::string_view key);  // null: there is none
-// "time, step, gap, …": the keys, for messages.
+// "step, time, iterations, …": the keys, for messages.
 std::string step_quantity_words();
 
 // One point a step, in their order. Cursor and marks of `options` are upright lines where x is the time; else

@@ -139,7 +139,7 @@ class Simulation(_pabd.Simulation):
         return _pabd.plot_history(self)
 
     def plot_quantity(self, y, x="time"):
-        """A quantity of the history against another: "gap", "kinetic", "iterations", …; an unknown one is told all."""
+        """A quantity of the history against another: "min_gap", "kinetic", "iterations", …; an unknown one is told all."""
         return _pabd.plot_quantity(self, y, x)
 
     def plot_convergence(self, methods=(), iterations=100):
