@@ -9,7 +9,7 @@
 namespace pabd {
 
 inline constexpr std::string_view kRecordMagic = "pabd-rec";
-inline constexpr std::uint32_t kRecordVersion = 6;
+inline constexpr std::uint32_t kRecordVersion = 7;
 inline constexpr std::size_t kRecordHeadBytes = 8 + 4 + 8, kRecordChecksumBytes = 16;
 
 enum RecordFlag : std::uint8_t {

@@ -102,7 +102,7 @@ struct Counters {
   std::uint32_t huge_next, uncolored, colors, rounds, crowded;
   std::uint32_t list_size[kSweepLists], list_first[kSweepLists], list_next[kSweepLists];
   std::uint32_t residual, unsettled;
-  std::uint32_t done, sweeps, pushing, min_gap, friction_excess, friction_error, bad;
+  std::uint32_t done, sweeps, pushing, min_gap, force, friction_excess, friction_error, bad;
   std::uint32_t kept;
   std::uint32_t touched, unsolved, unsettled_contacts, late;
   std::uint32_t touch_size[kTwoKinds], touch_first[kTwoKinds], touch_next[kTwoKinds];

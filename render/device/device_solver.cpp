@@ -116,6 +116,7 @@ StepSummary DeviceSolver::Impl::told(const Asked& asked_for, const Counters& c) 
   out.contacts = static_cast<int>(c.pushing);
   out.min_gap = c.min_gap != 0 ? static_cast<double>(from_ordered(~c.min_gap)) : INFINITY;
   out.max_penetration = std::max(0.0, -out.min_gap);
+  out.max_normal_force = c.force != 0 ? static_cast<double>(from_ordered(c.force)) : 0;
   out.residual = static_cast<double>(std::bit_cast<float>(c.residual));
   out.friction_excess =
       c.friction_excess != 0 ? std::max(0.0, static_cast<double>(from_ordered(c.friction_excess))) : 0;

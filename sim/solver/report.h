@@ -98,16 +98,17 @@ struct StepSummary {
   double time = 0;                              // at its end; s
   SolverMethod method = SolverMethod::descent;  // `auto`: the one that ended most bodies
   StepStatus status = StepStatus::iteration_limit;
-  int iterations = 0;          // of the island that needed most
-  double kinetic = 0;          // J
-  double potential = 0;        // −Σ m g·c; J
-  double elastic = 0;          // energy in contacts, bonds and springs; J
-  double kappa = 0;            // resolved contact κ; J
-  int contacts = 0;            // with d < d̂
-  double max_penetration = 0;  // m
-  double min_gap = 0;          // m; +inf without contacts
-  double max_joint_error = 0;  // m
-  double residual = 0;         // the largest of the islands
+  int iterations = 0;           // of the island that needed most
+  double kinetic = 0;           // J
+  double potential = 0;         // −Σ m g·c; J
+  double elastic = 0;           // energy in contacts, bonds and springs; J
+  double kappa = 0;             // resolved contact κ; J
+  int contacts = 0;             // with d < d̂
+  double max_penetration = 0;   // m
+  double min_gap = 0;           // m; +inf without contacts
+  double max_normal_force = 0;  // of one contact point; N
+  double max_joint_error = 0;   // m
+  double residual = 0;          // the largest of the islands
   // What was skipped because it would cost too much: pairs of bodies in crowds that were not looked at, overlap
   // or not (collision/broad_phase.h), and bodies that `descent` solved in place of `newton` (choice.h).
   std::int64_t left_pairs = 0;

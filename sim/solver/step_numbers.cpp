@@ -24,6 +24,7 @@ std::span<const StepNumber> step_numbers() {
     StepNumber{"contacts", &S::contacts, true, sum, "contacts", "1", "points with d < d̂"},
     StepNumber{"max_penetration", &S::max_penetration, true, largest, "penetration", "m", "largest overlap; 0: none"},
     StepNumber{"min_gap", &S::min_gap, true, smallest, "smallest gap", "m", "smallest d of a contact point; infinite without"},
+    StepNumber{"max_normal_force", &S::max_normal_force, true, largest, "largest f_{n}", "N", "largest normal force of a contact point"},
     StepNumber{"max_joint_error", &S::max_joint_error, true, largest, "largest error", "m", "largest distance between the points of a bond"},
     StepNumber{"residual", &S::residual, false, largest, "largest step / d̂", "1", "largest way of a body in the last iteration over d̂"},
     StepNumber{"drive_work", &S::drive_work, true, sum, "work of drives", "J", "of drives, motors, dampers, friction of joints, belts and external forces in this step"},

@@ -58,6 +58,7 @@ PABD_EACH_LEVEL void summarize_contacts(const Problem& p, const Iterate& it, boo
   report.elastic = 0;
   report.friction_excess = 0;
   report.contacts = 0;
+  report.max_normal_force = 0;
   report.min_gap = std::numeric_limits<double>::infinity();
   report.contact_reports.clear();
   for (const ContactManifold& manifold : it.manifold) {
@@ -77,6 +78,7 @@ PABD_EACH_LEVEL void summarize_contacts(const Problem& p, const Iterate& it, boo
       if (s.d[k] >= p.law.barrier.d_hat) continue;
       report.elastic += energy[k];
       ++report.contacts;
+      report.max_normal_force = larger(report.max_normal_force, -f.first[k]);
       if (!with_reports) continue;
       const Vec3 n = lane(s.n, k), u = lane(s.u, k), y = it.pose[manifold.a].c + lane(s.y, k);
       const Vec3 y_b = y + it.pose[manifold.b].R * lane(manifold.to_surface, k);

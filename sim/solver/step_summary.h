@@ -21,7 +21,7 @@ double potential_energy(const Model& model, const Params& params, const State& s
 // Of the springs of all joints; J.
 double spring_energy(const Model& model, const State& state);
 
-// elastic, contacts, max_penetration, min_gap, friction_excess and, if asked, contact_reports at the iterate.
+// elastic, contacts, max_penetration, min_gap, max_normal_force, friction_excess and, if asked, contact_reports at the iterate.
 void summarize_contacts(const Problem& p, const Iterate& it, bool with_reports, StepReport& report);
 
 // One report a body of the model, at the end of a step. Every body has its contacts; the island and what solved

@@ -27,6 +27,27 @@ std::string end_hash(const std::vector<std::string>& more) {
 
 }  // namespace
 
+namespace {
+
+// Of a CSV file, by its name.
+std::vector<double> column(const std::string& csv, const std::string& name) {
+  std::vector<double> out;
+  std::ptrdiff_t at = -1;
+  for (const std::string& row : lines_of(csv)) {
+    std::vector<std::string> cells;
+    std::istringstream in(row);
+    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+    if (at >= 0) {
+      out.push_back(std::stod(cells.at(static_cast<std::size_t>(at))));
+      continue;
+    }
+    at = std::find(cells.begin(), cells.end(), name) - cells.begin();
+  }
+  return out;
+}
+
+}  // namespace
+
 TEST_CASE("the CSV files have the documented columns, a row a step and a row an iteration") {
   const CommandFolder folder;
   const Outcome outcome = run_pabd(
@@ -37,7 +58,7 @@ TEST_CASE("the CSV files have the documented columns, a row a step and a row an 
   REQUIRE(steps.size() == 8);
   CHECK(steps[0] ==
         "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,max_"
-        "joint_error,"
+        "normal_force,max_joint_error,"
         "residual,drive_work,capped_bonds,held_bodies,halved_bodies,halvings,friction_excess,kappa,left_"
         "pairs,too_"
         "dense,step_ms");
@@ -80,15 +101,10 @@ TEST_CASE("--json prints the summary as one document, with what the other output
   CHECK(json["time"] == state["time"]);
   CHECK(json["bodies"] == state["bodies"].size());
   double largest = 0, kinetic = 0, iterations = 0;
-  for (const std::string& row : lines_of(read_text(folder / "t.csv"))) {
-    if (row.starts_with("step,")) continue;
-    std::istringstream fields(row);
-    std::vector<std::string> values;
-    for (std::string field; std::getline(fields, field, ',');) values.push_back(field);
-    largest = std::max(largest, std::stod(values.at(11)));
-    kinetic = std::stod(values.at(5));
-    iterations += std::stod(values.at(4));
-  }
+  const std::string trace = read_text(folder / "t.csv");
+  for (const double error : column(trace, "max_joint_error")) largest = std::max(largest, error);
+  for (const double count : column(trace, "iterations")) iterations += count;
+  kinetic = column(trace, "kinetic").back();
   CHECK(largest > 0);
   CHECK(json["max_joint_error"].get<double>() == Approx(largest).epsilon(1e-5));
   CHECK(json["kinetic"].get<double>() == Approx(kinetic).epsilon(1e-5));
@@ -147,13 +163,7 @@ TEST_CASE("with joints the summary names their largest error of the run, which i
   const Outcome outcome = run_pabd({"run", "slider_crank", "--steps", "20", "--trace", "-"});
   REQUIRE(outcome.exit_code == 0);
   double largest = 0;
-  for (const std::string& row : lines_of(outcome.out)) {
-    if (row.starts_with("step,")) continue;
-    std::istringstream fields(row);
-    std::string field;
-    for (int column = 0; column <= 11; ++column) std::getline(fields, field, ',');
-    largest = std::max(largest, std::stod(field));
-  }
+  for (const double error : column(outcome.out, "max_joint_error")) largest = std::max(largest, error);
   CHECK(largest > 0);
   const std::string words = "largest joint error ";
   const auto at = outcome.err.find(words);
@@ -281,7 +291,8 @@ TEST_CASE("an interrupted run publishes the rows it has") {
     CHECK(trace.back() == '\n');
     CHECK(line_count(trace) > 10);
     const auto last = lines_of(trace).back();
-    CHECK(std::count(last.begin(), last.end(), ',') == 22);
+    const auto header = lines_of(trace).front();
+    CHECK(std::count(last.begin(), last.end(), ',') == std::count(header.begin(), header.end(), ','));
     CHECK(nlohmann::json::parse(read_text(folder / "s.json"))["step"] == std::stoll(last));
   }
 }

@@ -62,6 +62,8 @@ void check_steps(const Scene& scene, int warm_up, double same, int steps = kStep
     CHECK(summary.kinetic == Approx(report.kinetic).epsilon(exact ? 1e-6 : 1e-3).margin(1e-6));
     CHECK(summary.potential == Approx(report.potential).epsilon(1e-9));
     CHECK(summary.elastic == Approx(report.elastic).epsilon(exact ? 1e-4 : 1e-2).margin(1e-6));
+    CHECK(summary.max_normal_force ==
+          Approx(report.max_normal_force).epsilon(exact ? 1e-4 : 1e-2).margin(1e-6));
     REQUIRE(summary.contacts == report.contacts);
     REQUIRE(contacts.size() == report.contact_reports.size());
     REQUIRE(there.contacts.size() == state.contacts.size());

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <set>
 
+#include "app/session/record_parts.h"
 #include "app/session/recording.h"
 #include "sim/base/error.h"
 #include "sim/base/hash.h"
@@ -151,8 +152,8 @@ TEST_CASE("other scenes, versions and files are refused with what to do") {
   const auto other = std::make_shared<const Scene>(load_scene(places::scenes() + "/pyramid.json"));
   CHECK_THAT(refusal(good, other), Catch::StartsWith("r.rec: ") && Catch::Contains("open that scene first"));
   std::string version = good;
-  version[8] = 7;
-  CHECK_THAT(refusal(version, scene), Catch::Contains("version 7"));
+  version[8] = kRecordVersion + 1;
+  CHECK_THAT(refusal(version, scene), Catch::Contains("version " + std::to_string(kRecordVersion + 1)));
   CHECK_THAT(refusal("{\"actions\": []}", scene), Catch::Contains("no recording"));
   CHECK_THAT(refusal("", scene), Catch::Contains("no recording"));
   CHECK_THAT(refusal(good + "x", scene), Catch::Contains("cut off, or too long"));

@@ -32,6 +32,7 @@ StepReport example() {
   r.contacts = 8;
   r.max_penetration = 0;
   r.min_gap = std::numeric_limits<double>::infinity();
+  r.max_normal_force = 12.5;
   r.max_joint_error = 5e-324;
   r.residual = 1e-7;
   r.times.total = 2.5;
@@ -55,15 +56,16 @@ TEST_CASE("steps CSV", "[trace]") {
   std::ostringstream out;
   write_steps_header(out);
   write_steps_row(out, example());
-  CHECK(out.str() ==
-        "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,"
-        "max_joint_error,residual,drive_work,capped_bonds,held_bodies,halved_bodies,halvings,"
-        "friction_excess,kappa,left_pairs,too_dense,step_ms\n"
-        "7,0.11666666666666667,sissm,converged,12,0.1,-0.3333333333333333,1e-300,8,0,inf,5e-324,1e-07,"
-        "-0.25,3,2,5,4,0.125,1250,6,9,2.5\n");
+  CHECK(
+      out.str() ==
+      "step,time,method,status,iterations,kinetic,potential,elastic,contacts,max_penetration,min_gap,"
+      "max_normal_force,max_joint_error,residual,drive_work,capped_bonds,held_bodies,halved_bodies,halvings,"
+      "friction_excess,kappa,left_pairs,too_dense,step_ms\n"
+      "7,0.11666666666666667,sissm,converged,12,0.1,-0.3333333333333333,1e-300,8,0,inf,12.5,5e-324,1e-07,"
+      "-0.25,3,2,5,4,0.125,1250,6,9,2.5\n");
   const std::string row = out.str().substr(out.str().find('\n') + 1);
   const auto cells = split(row);
-  REQUIRE(cells.size() == 23);
+  REQUIRE(cells.size() == 24);
   CHECK(std::strtod(cells[1].c_str(), nullptr) == 7.0 / 60);
   CHECK(std::strtod(cells[6].c_str(), nullptr) == -1.0 / 3);
 }
@@ -101,7 +103,8 @@ TEST_CASE("a step that failed has no numbers of where it ended, and no zeros", "
   write_steps_row(out, r);
   // The residual is that of the last iteration, which there was.
   CHECK(out.str() ==
-        "7,0.11666666666666667,sissm,non_finite,12,nan,nan,nan,nan,nan,nan,nan,1e-07,nan,3,2,5,4,nan,1250,6,"
+        "7,0.11666666666666667,sissm,non_finite,12,nan,nan,nan,nan,nan,nan,nan,nan,1e-07,nan,3,2,5,4,nan,"
+        "1250,6,"
         "9,2.5\n");
 }
 

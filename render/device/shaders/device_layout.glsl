@@ -119,7 +119,7 @@ struct Counters {
   uint sweeps;
   uint pushing;   // contacts with d < d̂
   uint min_gap;   // inverted, so that the largest is the least gap; 0: there is none
-  uint friction_excess, friction_error;  // floats, ordered
+  uint force, friction_excess, friction_error;  // floats, ordered; the largest normal force
   uint bad;  // bodies that left the numbers
   uint kept;  // pairs whose contacts were kept
   // Of a step at the iteration limit: bodies in touch, those whose last move was too long, contacts whose friction is off.

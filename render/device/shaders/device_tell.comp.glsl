@@ -3,13 +3,13 @@
 // contact. To be run before the poses move on.
 struct Told {
   double energy, stored, rise;
-  uint pushing, unsettled, min_gap, friction_excess, friction_error, opening;  // as in Counters
+  uint pushing, unsettled, min_gap, force, friction_excess, friction_error, opening;  // as in Counters
 };
 shared Told told[GROUP];  // of the work group: one atomic for all its contacts
 
 Told together(Told a, Told b) {
   return Told(a.energy + b.energy, a.stored + b.stored, a.rise + b.rise, a.pushing + b.pushing,
-              a.unsettled + b.unsettled, max(a.min_gap, b.min_gap),
+              a.unsettled + b.unsettled, max(a.min_gap, b.min_gap), max(a.force, b.force),
               max(a.friction_excess, b.friction_excess), max(a.friction_error, b.friction_error),
               max(a.opening, b.opening));
 }
@@ -22,7 +22,7 @@ real balanced_energy(Contact c, real d, real limit, real slip, bool solved) {
 
 void main() {
   const uint k = gl_GlobalInvocationID.x, t = gl_LocalInvocationID.x;
-  Told mine = Told(0, 0, 0, 0u, 0u, 0u, 0u, 0u, 0u);
+  Told mine = Told(0, 0, 0, 0u, 0u, 0u, 0u, 0u, 0u, 0u);
   if (k < counters.contacts && counters.overflow == 0u) {
     const Contact c = contacts[k];
     const ContactNow s = contact_now(c, place[c.id.x], place[c.id.y]);
@@ -36,6 +36,7 @@ void main() {
     mine.pushing = pushes ? 1u : 0u;
     mine.opening = floatBitsToUint(abs(float(c.n.w)));
     mine.min_gap = ~ordered(float(s.d));
+    mine.force = pushes ? ordered(float(-push.first)) : 0u;
     if (params.halves != 0u) {
       const bool solved = counters.done != 0u;
       const Place here = Place(real4(0, 0, 0, 0), real4(0, 0, 0, 1));
@@ -74,6 +75,7 @@ void main() {
   atomicAdd(counters.pushing, told[0].pushing);
   atomicAdd(counters.unsettled_contacts, told[0].unsettled);
   atomicMax(counters.min_gap, told[0].min_gap);
+  atomicMax(counters.force, told[0].force);
   atomicMax(counters.friction_excess, told[0].friction_excess);
   atomicMax(counters.friction_error, told[0].friction_error);
   atomicMax(counters.opening, told[0].opening);
