@@ -9,6 +9,6 @@
 namespace pabd {
 
 std::string scene_schema();   // assets/pabd-scene.schema.json
-std::string key_reference();  // assets/keys.md, without parameters
+std::string key_reference();  // assets/keys.md
 
 }  // namespace pabd
