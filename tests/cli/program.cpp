@@ -13,6 +13,7 @@
 #include <cerrno>
 #include <chrono>
 #include <csignal>
+#include <cstddef>
 #include <cstdlib>
 #include <fstream>
 #include <sstream>
@@ -172,6 +173,22 @@ std::vector<std::string> lines_of(const std::string& text) {
   std::istringstream in(text);
   for (std::string line; std::getline(in, line);) lines.push_back(line);
   return lines;
+}
+
+std::vector<double> column_of(const std::string& csv, const std::string& name) {
+  std::vector<double> out;
+  std::ptrdiff_t at = -1;
+  for (const std::string& row : lines_of(csv)) {
+    std::vector<std::string> cells;
+    std::istringstream in(row);
+    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
+    if (at >= 0) {
+      out.push_back(std::stod(cells.at(static_cast<std::size_t>(at))));
+      continue;
+    }
+    at = std::find(cells.begin(), cells.end(), name) - cells.begin();
+  }
+  return out;
 }
 
 std::size_t line_count(const std::string& text) {

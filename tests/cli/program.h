@@ -81,6 +81,7 @@ inline void write_text(const std::filesystem::path& path, const std::string& tex
 }
 std::vector<std::string> lines_of(const std::string& text);
 std::size_t line_count(const std::string& text);
+std::vector<double> column_of(const std::string& csv, const std::string& name);  // numbers without quotes
 
 // True when `err` is exactly one line that begins with "pabd: error: " and contains every word.
 bool is_error_line(const std::string& err, const std::vector<std::string>& words);

@@ -27,27 +27,6 @@ std::string end_hash(const std::vector<std::string>& more) {
 
 }  // namespace
 
-namespace {
-
-// Of a CSV file, by its name.
-std::vector<double> column(const std::string& csv, const std::string& name) {
-  std::vector<double> out;
-  std::ptrdiff_t at = -1;
-  for (const std::string& row : lines_of(csv)) {
-    std::vector<std::string> cells;
-    std::istringstream in(row);
-    for (std::string cell; std::getline(in, cell, ',');) cells.push_back(cell);
-    if (at >= 0) {
-      out.push_back(std::stod(cells.at(static_cast<std::size_t>(at))));
-      continue;
-    }
-    at = std::find(cells.begin(), cells.end(), name) - cells.begin();
-  }
-  return out;
-}
-
-}  // namespace
-
 TEST_CASE("the CSV files have the documented columns, a row a step and a row an iteration") {
   const CommandFolder folder;
   const Outcome outcome = run_pabd(
@@ -102,9 +81,9 @@ TEST_CASE("--json prints the summary as one document, with what the other output
   CHECK(json["bodies"] == state["bodies"].size());
   double largest = 0, kinetic = 0, iterations = 0;
   const std::string trace = read_text(folder / "t.csv");
-  for (const double error : column(trace, "max_joint_error")) largest = std::max(largest, error);
-  for (const double count : column(trace, "iterations")) iterations += count;
-  kinetic = column(trace, "kinetic").back();
+  for (const double error : column_of(trace, "max_joint_error")) largest = std::max(largest, error);
+  for (const double count : column_of(trace, "iterations")) iterations += count;
+  kinetic = column_of(trace, "kinetic").back();
   CHECK(largest > 0);
   CHECK(json["max_joint_error"].get<double>() == Approx(largest).epsilon(1e-5));
   CHECK(json["kinetic"].get<double>() == Approx(kinetic).epsilon(1e-5));
@@ -163,7 +142,7 @@ TEST_CASE("with joints the summary names their largest error of the run, which i
   const Outcome outcome = run_pabd({"run", "slider_crank", "--steps", "20", "--trace", "-"});
   REQUIRE(outcome.exit_code == 0);
   double largest = 0;
-  for (const double error : column(outcome.out, "max_joint_error")) largest = std::max(largest, error);
+  for (const double error : column_of(outcome.out, "max_joint_error")) largest = std::max(largest, error);
   CHECK(largest > 0);
   const std::string words = "largest joint error ";
   const auto at = outcome.err.find(words);
