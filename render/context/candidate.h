@@ -30,9 +30,9 @@ inline constexpr GlVersion kAskedVersions[] = {{4, 3}, {kGlMajor, kGlMinor}};
 void add_egl_candidates(std::vector<ContextCandidate>& out);
 void add_osmesa_candidates(std::vector<ContextCandidate>& out);
 
-// Mesa's software renderer takes vectors as wide as the processor's; every machine is asked for the same
-// width, unless the user set LP_NATIVE_VECTOR_WIDTH. Before any GL library is opened.
-void fix_vector_width();
+// For Mesa's software renderer, before any GL library is opened. It takes vectors as wide as the processor's; every machine is
+// asked for the same width, unless the user set LP_NATIVE_VECTOR_WIDTH. The memory of a frame stays with the process.
+void prepare_software_gl();
 
 // Asks the current context for its version; empty when it is at least the wanted one.
 std::string check_gl_version(GlContext& context);

@@ -35,7 +35,7 @@ std::string last_error() {
 class Glfw {
  public:
   explicit Glfw(int display_lost_status) : loss_(display_lost_status) {
-    fix_vector_width();
+    prepare_software_gl();
     if (glfwInit() != GLFW_TRUE) throw Error(ErrorKind::no_context, "no window: " + last_error() + kRemedy);
     loss_.watch();
   }

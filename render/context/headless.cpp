@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The one place that knows every headless candidate and their order.
 #include <fmt/format.h>
+#include <malloc.h>
 #include <sys/mman.h>
 #include <sys/resource.h>
 #include <unistd.h>
@@ -30,7 +31,7 @@ std::vector<ContextFamily> families(Backend backend) {
 }
 
 std::vector<ContextCandidate> candidates(Backend backend) {
-  fix_vector_width();
+  prepare_software_gl();
   std::vector<ContextCandidate> list;
   for (const ContextFamily& family : families(backend)) family.add(list);
   return list;
@@ -95,9 +96,16 @@ std::string explain(const std::vector<ContextAttempt>& attempts) {
 
 }  // namespace
 
-void fix_vector_width() {
+void prepare_software_gl() {
+  // As much as it takes and frees in a frame of many triangles. glibc gives freed memory back otherwise, to be mapped and
+  // cleared again for the next frame: two thirds of the time of a picture with contacts and bonds.
+  constexpr int kKept = 256 << 20, kAlone = 32 << 20;
   static std::once_flag once;
-  std::call_once(once, [] { ::setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0); });
+  std::call_once(once, [] {
+    ::setenv("LP_NATIVE_VECTOR_WIDTH", "128", 0);
+    ::mallopt(M_TRIM_THRESHOLD, kKept);
+    ::mallopt(M_MMAP_THRESHOLD, kAlone);
+  });
 }
 
 std::string steering_remedy() {
@@ -145,7 +153,7 @@ std::string check_gl_version(GlContext& context) {
 void set_context_trial(std::vector<std::string> command) { trial_command() = std::move(command); }
 
 void try_headless_contexts(const std::vector<std::string>& words) {
-  fix_vector_width();
+  prepare_software_gl();
   Backend backend = Backend::automatic;
   for (const Backend b : {Backend::egl, Backend::osmesa})
     if (!words.empty() && words.front() == std::to_string(static_cast<int>(b))) backend = b;
@@ -153,7 +161,7 @@ void try_headless_contexts(const std::vector<std::string>& words) {
 }
 
 std::unique_ptr<GlContext> create_headless_context(Backend backend, std::vector<ContextAttempt>& attempts) {
-  fix_vector_width();
+  prepare_software_gl();
   attempts.clear();
   if (!is_proven(backend)) attempts = try_first(backend);
   const bool probed = !attempts.empty();
