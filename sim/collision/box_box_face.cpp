@@ -10,7 +10,7 @@
 // equal faces lie exactly on each other and twist by a rounding error. So a polygon corner close to an
 // incident corner takes that corner's name, one close to a reference corner that one's, and one of equal
 // names is kept. Where an edge and a side run on into each other at a small angle, their crossing may lie
-// anywhere along them; it is left out unless it is the deepest point.
+// anywhere along them, near a corner too; it is left out unless it is the deepest point.
 //
 //   C, t     incident box in the frame of the reference box        1, m
 //   k        axis of the reference face;  k1, k2 the axes along it
@@ -73,15 +73,16 @@ struct Namer {
   double turn;  // +1 when the incident corners run anticlockwise, else −1
 
   std::uint32_t operator()(const Corner& p, int line_in) const {
-    for (int v = 0; v < 4; ++v) {
+    const int edge = std::min(p.line, line_in), side = std::max(p.line, line_in) & 3;
+    const std::uint32_t flag = edge < 4 && runs_on(edge, side) ? kRunsOn : 0;
+    for (std::uint32_t v = 0; v < 4; ++v) {
       const Corner& c = incident.corner[v];
-      if (distance2(p, c.x, c.y) <= snap2) return static_cast<std::uint32_t>(v);
+      if (distance2(p, c.x, c.y) <= snap2) return v | flag;
     }
     for (std::uint32_t v = 0; v < 4; ++v) {
-      if (distance2(p, v & 1 ? -h_x : h_x, v & 2 ? -h_y : h_y) <= snap2) return 4 + v;
+      if (distance2(p, v & 1 ? -h_x : h_x, v & 2 ? -h_y : h_y) <= snap2) return (4 + v) | flag;
     }
-    const int edge = std::min(p.line, line_in) & 3, side = std::max(p.line, line_in) & 3;
-    return static_cast<std::uint32_t>(8 + edge * 4 + side) | (runs_on(edge, side) ? kRunsOn : 0);
+    return static_cast<std::uint32_t>(8 + (edge & 3) * 4 + side) | flag;
   }
 
   bool runs_on(int edge, int side) const {

@@ -114,20 +114,21 @@ std::uint32_t name_of(const Faces& f, const Corner& p, int line_in) {
   if (line_in < kSide && p.line < kSide) {
     return hull_feature(HullFeature::incident_corner, 0, f.vertex(p.line));
   }
+  const int edge = std::min(p.line, line_in), side = std::max(p.line, line_in) - kSide;
+  const bool crosses = edge < kSide;
+  const std::uint32_t flags = kClipped | (crosses && runs_on(f, edge, side) ? kRunsOn : 0);
   for (int v = 0; v < f.corners(); ++v) {
     const Corner& c = f.first.corner[v];
     if (distance2(p, c.x, c.y) <= f.snap2)
-      return kClipped | hull_feature(HullFeature::incident_corner, 0, f.vertex(v));
+      return flags | hull_feature(HullFeature::incident_corner, 0, f.vertex(v));
   }
   for (int v = 0; v < f.sides(); ++v) {
     if (distance2(p, f.side[v].x, f.side[v].y) <= f.snap2)
-      return kClipped | hull_feature(HullFeature::reference_corner, 0, f.reference_vertex(v));
+      return flags | hull_feature(HullFeature::reference_corner, 0, f.reference_vertex(v));
   }
-  if (line_in >= kSide && p.line >= kSide)
-    return kClipped | hull_feature(HullFeature::reference_corner, 0, f.reference_vertex(p.line - kSide));
-  const int edge = std::min(p.line, line_in), side = std::max(p.line, line_in) - kSide;
-  return kClipped | (runs_on(f, edge, side) ? kRunsOn : 0) |
-         hull_feature(HullFeature::crossing, 0, f.edge(edge) << 10 | f.reference_edge(side));
+  if (!crosses)
+    return flags | hull_feature(HullFeature::reference_corner, 0, f.reference_vertex(p.line - kSide));
+  return flags | hull_feature(HullFeature::crossing, 0, f.edge(edge) << 10 | f.reference_edge(side));
 }
 
 // Of the faces that count. Ties go to the lower one, clearly.

@@ -4,6 +4,7 @@
 #include <catch2/catch.hpp>
 #include <set>
 
+#include "sim/body/convex_hull.h"
 #include "sim/math/so3.h"
 #include "tests/collision/reference.h"
 
@@ -72,6 +73,37 @@ TEST_CASE("four contacts keep their names while a resting cube twists, slides an
     REQUIRE(contacts.size() == 4);
     REQUIRE(features(contacts) == expected);
     for (const auto& p : contacts) REQUIRE(p.a == 0);  // the lower body keeps the reference face
+  }
+}
+
+TEST_CASE("contacts of faces of one size move no farther than the bodies") {
+  Random random(5);
+  for (const bool hulls : {false, true}) {
+    for (int trial = 0; trial < 1000; ++trial) {
+      // A brick on a brick that is shifted along one of its edges: two pairs of edges lie on each other.
+      const Vec3 half = random.within(0.2, 1);
+      const Shape shape = hulls ? Shape(hull_of_box(half)) : Shape(Box{half});
+      const Vec3 along = half.x() * random.uniform(0, 1.5) * Vec3::UnitX();
+      const double size = std::pow(10.0, random.uniform(-15, -6));
+      std::vector<ContactPoint> found[2];
+      for (auto& contacts : found) {
+        Setup setup;
+        setup.add(shape, Vec3::Zero(), turn(random.uniform(0, size), random.direction()), 0.01);
+        setup.add(shape, along + Vec3(0, 2 * half.y() + 0.005, 0) + random.within(-size, size),
+                  turn(random.uniform(0, size), random.direction()), 0.01);
+        contacts = setup.contacts();
+      }
+      INFO("hulls " << hulls << ", trial " << trial << ", moved by " << size);
+      REQUIRE(found[0].size() == 4);
+      REQUIRE(found[1].size() == 4);
+      for (const ContactPoint& p : found[0]) {
+        const auto q = std::find_if(found[1].begin(), found[1].end(),
+                                    [&](const ContactPoint& other) { return other.feature == p.feature; });
+        REQUIRE(q != found[1].end());
+        REQUIRE((p.y_a - q->y_a).norm() < 10 * size);
+        REQUIRE((p.y_b - q->y_b).norm() < 10 * size);
+      }
+    }
   }
 }
 

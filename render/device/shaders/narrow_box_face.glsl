@@ -84,15 +84,15 @@ bool edge_runs_on(IncidentFace face, int edge, int side, wide turn) {
 }
 
 uint name_of(IncidentFace face, Corner p, int line_in, wide2 size, wide snap2, wide turn) {
-  int edge = min(p.line, line_in) & 3, side = max(p.line, line_in) & 3;
-  uint name = uint(8 + edge * 4 + side) | (edge_runs_on(face, edge, side, turn) ? RUNS_ON : 0u);
+  int edge = min(p.line, line_in), side = max(p.line, line_in) & 3;
+  uint name = uint(8 + (edge & 3) * 4 + side);
   // The first that it is at, incident corners before those of the reference.
   for (int v = 7; v >= 0; --v) {
     wide2 at = wide2((v & 1) != 0 ? -size.x : size.x, (v & 2) != 0 ? -size.y : size.y);
     if (v < 4) at = incident_corner(face, v).xy;
     if (distance2(p.p, at) <= snap2) name = uint(v);
   }
-  return name;
+  return name | (edge < 4 && edge_runs_on(face, edge, side, turn) ? RUNS_ON : 0u);
 }
 
 void add_pick(int at, uint name, wide clearly) {

@@ -106,8 +106,9 @@ bool edge_runs_on(int edge, int side) {
 wide distance2(wide3 p, wide2 q) { return (p.x - q.x) * (p.x - q.x) + (p.y - q.y) * (p.y - q.y); }
 
 uint name_of(Corner p, int line_in, wide snap2) {
-  bool whole = line_in < SIDE && p.line < SIDE;
-  int below = whole ? p.line : -1, at = line_in >= SIDE && p.line >= SIDE ? p.line - SIDE : -1;
+  int edge = min(p.line, line_in), side = max(p.line, line_in) - SIDE;
+  bool whole = side < 0, crosses = edge < SIDE && !whole;
+  int below = whole ? p.line : -1, at = whole || crosses ? -1 : p.line - SIDE;
   for (int v = 0; v < corners && below < 0; ++v) {
     if (distance2(p.p, bottom_corner[v].xy) <= snap2) below = v;
   }
@@ -122,11 +123,9 @@ uint name_of(Corner p, int line_in, wide snap2) {
   } else if (at >= 0) {
     name = hull_feature(REFERENCE_CORNER, 0u, top_name[at].x);
   } else {
-    int edge = min(p.line, line_in), side = max(p.line, line_in) - SIDE;
-    name = (edge_runs_on(edge, side) ? RUNS_ON : 0u) |
-           hull_feature(CROSSING, 0u, bottom_name[edge].y << 10 | top_name[side].y);
+    name = hull_feature(CROSSING, 0u, bottom_name[edge].y << 10 | top_name[side].y);
   }
-  return name | (whole ? 0u : CLIPPED);
+  return name | (whole ? 0u : CLIPPED) | (crosses && edge_runs_on(edge, side) ? RUNS_ON : 0u);
 }
 
 void add_pick(int at, uint name, wide clearly) {
