@@ -98,8 +98,8 @@ BarrierPanel barrier_panel_of(const Snapshot& sim, const command::BarrierView& v
 std::string why_no_curve(const StepReport& report, bool on_device) {
   if (report.step == 0) return "No step yet: press play (space) or → for one step.";
   if (on_device) return "The GPU does not tell of its iterations.";
-  if (report.iterations == 0 && report.contacts == 0)
-    return fmt::format("Step {}: no iterations, nothing touched.", report.step);
+  if (report.iterations == 0 && report.status == StepStatus::converged)
+    return fmt::format("Step {}: {}.", report.step, why_no_iterations(report));
   return fmt::format("Step {}: its iterations were not recorded. → makes a step that shows them.",
                      report.step);
 }
@@ -109,7 +109,7 @@ Plot convergence_panel_of(const Snapshot& sim, const UiState& ui) {
   const std::size_t what = place_in(kConvergenceViews, ui.convergence);
   Plot plot;
   if (what == 0) {
-    plot = convergence_plot(r.records, !sim.a.model->joints.empty());
+    plot = convergence_plot(r, !sim.a.model->joints.empty());
     plot.title = sim.held.empty()
                      ? ""  // the list says it
                      : counted(sim.held.size(), "held curve") + " not shown: choose one quantity";

@@ -23,6 +23,7 @@
 #include "sim/solver/coupled_matrix.h"
 #include "sim/solver/dual_newton.h"
 #include "sim/solver/island_step.h"
+#include "sim/solver/rest.h"
 #include "sim/solver/sliding_tangent.h"
 #include "sim/solver/workers.h"
 
@@ -34,6 +35,7 @@ struct NewtonSystem {
   Elimination::Pairs pairs;  // coupled block rows p < q, sorted
   CoupledMatrix matrix;
   IslandStep motion;
+  RestMemory rest;
 
   // Gradient on b of each bond of joints after the full step, by the linear model; N. Bond j of the island's
   // joint k is number BondList::kMost k + j.

@@ -17,7 +17,7 @@ std::span<const StepNumber> step_numbers() {
   static constexpr std::array kNumbers = {
     StepNumber{"step", &S::step, false, same, "step", "1", "number of the step; the first is 1"},
     StepNumber{"time", &S::time, false, same, "time", "s", "at the end of the step"},
-    StepNumber{"iterations", &S::iterations, false, largest, "iterations", "1", "of the island that needed most"},
+    StepNumber{"iterations", &S::iterations, false, largest, "iterations", "1", "of the island that needed most; 0 where all rests"},
     StepNumber{"kinetic", &S::kinetic, true, sum, "kinetic energy", "J", "½ m v² + ½ ωᵀ I ω of all movable bodies"},
     StepNumber{"potential", &S::potential, true, sum, "potential energy", "J", "−Σ m g·c"},
     StepNumber{"elastic", &S::elastic, true, sum, "elastic energy", "J", "in contacts, bonds and springs"},

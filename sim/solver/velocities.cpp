@@ -15,6 +15,10 @@ void find_velocities(const Problem& p, const Islands& islands, Iterate& it, Velo
     const Pose& star = p.flight->star[i];
     Pose& pose = it.pose[i];
     if (pose.c == star.c && pose.R == star.R) continue;  // flew freely
+    if (!p.second_order(i) && pose.c == p.start->c[i] && pose.R == p.start->R[i]) {
+      out.v[i] = out.omega[i] = Vec3::Zero();  // exactly, and so it stays
+      continue;
+    }
     pose.R = reorthonormalized(pose.R);
     const double h = p.flight->h[i];
     out.v[i] += (pose.c - star.c) / h;

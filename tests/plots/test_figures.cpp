@@ -32,6 +32,16 @@ IterationRecord record(double energy, double residual, double before, double aft
   return r;
 }
 
+// Of step 7, converged.
+StepReport report_of(const std::vector<IterationRecord>& records) {
+  StepReport report;
+  report.step = 7;
+  report.status = StepStatus::converged;
+  report.records = records;
+  report.iterations = static_cast<int>(records.size());
+  return report;
+}
+
 }  // namespace
 
 TEST_CASE("figure 1 shows B_N as printed and its derivative") {
@@ -145,9 +155,21 @@ TEST_CASE("E minus E_min is never negative: it is measured from what solves end 
   const Figure above = convergence_figure({{"descent", records}}, Minimiser{1, 0.1});
   CHECK(above.plots[0].y.label == "E − E_{min} [J]");
   CHECK(above.caption.find("minimum") != std::string::npos);
-  const Plot live = convergence_plot(records);
+  const Plot live = convergence_plot(report_of(records));
   CHECK(live.series[0].y[0] == 3);
   CHECK(std::isnan(live.series[0].y[1]));
+}
+
+TEST_CASE("the live convergence plot of a step without iterations says why it has no curves") {
+  StepReport report = report_of({});
+  CHECK(convergence_plot(report).none == "no iterations: nothing touches");
+  report.contacts = 4;
+  CHECK(convergence_plot(report).none == "no iterations: all bodies rest");
+  report.iterations = 3;  // not recorded
+  CHECK(convergence_plot(report).none == "no data");
+  report.iterations = 0;
+  report.status = StepStatus::non_finite;
+  CHECK(convergence_plot(report).none == "no data");
 }
 
 TEST_CASE("convergence with joints: their error in a plot of its own, contacts only where there are any") {
@@ -167,8 +189,8 @@ TEST_CASE("convergence with joints: their error in a plot of its own, contacts o
   CHECK(touching.columns == 2);
   CHECK(touching.plots[2].title == "Deepest contact");
   // The live plot does not change its curves from step to step.
-  CHECK(convergence_plot(records).series.size() == 4);
-  const Plot live = convergence_plot(records, true);
+  CHECK(convergence_plot(report_of(records)).series.size() == 4);
+  const Plot live = convergence_plot(report_of(records), true);
   REQUIRE(live.series.size() == 5);
   CHECK(live.series[4].y == std::vector<double>{1e-3, 1e-6});
 }

@@ -154,6 +154,36 @@ TEST_CASE("walls and pyramids of bricks come to rest upright, also where they st
   }
 }
 
+TEST_CASE("what rests stays where it is to the last bit, and moves as soon as something pushes it") {
+  const double angle = GENERATE(0.0, 0.6), x = GENERATE(0.0, 3000.0);
+  World world = bricks(6, 6, true, 0.0095);
+  const Mat3 turn = Eigen::AngleAxisd(angle, Vec3::UnitY()).toRotationMatrix();
+  for (Index i = 1; i < world.model.size(); ++i) {
+    world.state.c[i] = turn * world.state.c[i] + x * Vec3::UnitX();
+    world.state.R[i] = turn;
+  }
+  testing::run(world, 120, {}, [](const StepReport&) {});
+  const State before = world.state;
+  testing::run(world, 60, {}, [](const StepReport& r) {
+    CHECK(r.iterations == 0);
+    CHECK(r.status == StepStatus::converged);
+    CHECK(r.kinetic == 0);
+  });
+  CHECK(world.state.c == before.c);
+  CHECK(world.state.R == before.R);
+
+  // Steeper than friction holds: all of it slides with g (sin φ − μ cos φ).
+  const double g = 9.81, slope = 0.6, mu = world.params.contact.mu_static;
+  world.params.gravity = {g * std::sin(slope), -g * std::cos(slope), 0};
+  testing::run(world, 1, {}, [](const StepReport&) {});
+  CHECK(world.state.v.back().x() > 0.01);
+  testing::run(world, 29, {}, [](const StepReport&) {});
+  const double faster = g * (std::sin(slope) - mu * std::cos(slope)) * 0.5;
+  Vec3 sum = Vec3::Zero();
+  for (const Vec3& v : world.state.v) sum += v;
+  CHECK(sum.x() / (world.model.size() - 1) == Approx(faster).epsilon(0.02));
+}
+
 TEST_CASE("a wall whose bricks touch on all sides widens by d̂ a joint, and does not burst") {
   const auto [rows, columns, gap] =
       GENERATE(table<int, int, double>({{9, 14, 0.0}, {6, 9, 0.2}, {5, 3, 0.0}}));

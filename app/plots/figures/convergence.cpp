@@ -239,8 +239,15 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   return figure;
 }
 
-Plot convergence_plot(const std::vector<IterationRecord>& records, bool joints) {
+std::string why_no_iterations(const StepReport& report) {
+  return report.contacts == 0 ? "no iterations: nothing touches" : "no iterations: all bodies rest";
+}
+
+Plot convergence_plot(const StepReport& report, bool joints) {
+  const Records& records = report.records;
   Plot plot = iteration_plot("Convergence of the last step", "", true);
+  if (report.step > 0 && report.iterations == 0 && report.status == StepStatus::converged)
+    plot.none = why_no_iterations(report);
   plot.series = {
       iteration_curve(quantities::above_end.axis, records, energy_gap(ending_energy(records)), 0),
       iteration_curve(quantities::residual.axis, records, residual, 2),

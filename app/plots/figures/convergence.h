@@ -63,7 +63,9 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
                           const std::string& about = "");
 
 // All of the above for one step in one small plot, log axis; the joint error when the scene has `joints`.
-Plot convergence_plot(const std::vector<IterationRecord>& records, bool joints = false);
+Plot convergence_plot(const StepReport& report, bool joints = false);
+// Of a step that was solved where it started.
+std::string why_no_iterations(const StepReport& report);
 
 // One step from `state` with each method, `iterations` without early stop, recorded. `state` is not changed.
 std::vector<MethodRun> run_methods(const Model& model, const Params& params, const State& state,
