@@ -34,7 +34,8 @@ struct DrawList::Eye {
   bool parallel;    // rays: a thing is as large at any distance as at 1
 };
 
-void DrawList::build(const VisualScene& scene, int height, float texel, float tolerance) {
+void DrawList::build(const VisualScene& scene, int height, float texel, float tolerance,
+                     GlyphShapes* shapes) {
   instances.clear();
   batches.clear();
   caster_entries_.clear();
@@ -61,6 +62,12 @@ void DrawList::build(const VisualScene& scene, int height, float texel, float to
   const auto far_first = [](const Entry& a, const Entry& b) { return a.depth > b.depth; };
   std::stable_sort(body_entries_.begin(), body_entries_.end(), near_first);
   std::stable_sort(glyph_entries_.begin(), glyph_entries_.end(), far_first);
+  if (shapes != nullptr) {
+    std::erase_if(glyph_entries_, [&](const Entry& e) {
+      const float metre = eye.pixels / (eye.parallel ? 1 : std::max(e.depth, 1e-12f));
+      return shapes->add(*e.instance, e.primitive, e.level, metre);
+    });
+  }
   std::stable_sort(transparent_entries_.begin(), transparent_entries_.end(), far_first);
   casters = near_casters = append(caster_entries_, true);
   floor_casters = append(floor_entries_, true);

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "render/gl/device_instances.h"
+#include "render/gl/glyph_shapes.h"
 #include "render/visual/primitive_mesh.h"
 #include "render/visual/visual_scene.h"
 
@@ -44,8 +45,9 @@ struct DrawList {
   BatchRange ghosts;         // those of them that show through bodies
 
   // Fills the list from the scene; `height` is that of the frame in pixels, `texel` that of a shadow texel in
-  // m, `tolerance` that of outlines in pixels.
-  void build(const VisualScene& scene, int height, float texel, float tolerance = kOutlineTolerance);
+  // m, `tolerance` that of outlines in pixels. `shapes`, if any, gets the glyphs that it can take in place of `glyphs`.
+  void build(const VisualScene& scene, int height, float texel, float tolerance = kOutlineTolerance,
+             GlyphShapes* shapes = nullptr);
 
  private:
   struct Entry {

@@ -11,6 +11,7 @@
 #include "render/gl/device_instances.h"
 #include "render/gl/encode_pass.h"
 #include "render/gl/frame_target.h"
+#include "render/gl/glyph_pass.h"
 #include "render/gl/ground_pass.h"
 #include "render/gl/line_pass.h"
 #include "render/gl/outline_smoother.h"
@@ -55,6 +56,7 @@ struct Renderer::Impl {
         line_pass(gl),
         encode_pass(gl),
         overlay_pass(gl),
+        glyph_pass(gl),
         smoother(std::min(available_cpus(), kMostEncoding)),
         uniforms(gl) {
     gl.check("setting up the renderer");
@@ -116,6 +118,8 @@ struct Renderer::Impl {
   LinePass line_pass;
   EncodePass encode_pass;
   OverlayPass overlay_pass;
+  GlyphPass glyph_pass;
+  GlyphShapes shapes;
   OutlineSmoother smoother;
   GlBuffer uniforms;
   DrawList list;
@@ -158,7 +162,11 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   const ShadowVolume shadow = fit_shadow(scene, quality.shadow_texels(), more);
   const FloorVolume floor = quality.soft_light() ? fit_floor(scene, more) : FloorVolume{};
   const FrameUniforms frame = frame_uniforms(scene, shadow, floor, into.width(), into.height());
-  list.build(scene, into.height(), shadow.texel, quality.tolerance);
+  shapes.begin(frame, quality.tolerance);
+  // Edges that shaders find have one sample.
+  list.build(scene, into.height(), shadow.texel, quality.tolerance,
+             software && into.samples() == 1 ? &shapes : nullptr);
+  glyph_pass.upload(shapes, scene);
   if (device == nullptr) {
     drawer.upload(list);
   } else {
@@ -192,7 +200,7 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   ground_pass.draw(scene, shadow, floor, quality.level);
   draw_background();
   lap(passes.ground);
-  surface_pass.draw_glyphs(list, drawer, quality.level);
+  surface_pass.draw_glyphs(list, drawer, glyph_pass, quality.level);
   surface_pass.draw_transparent(list, drawer, quality.level);
   line_pass.draw(scene.lines);
   lap(passes.glyphs);

@@ -92,22 +92,30 @@ void SurfacePass::draw_bodies(const DrawList& list, const InstanceDrawer& drawer
   draw_lit(list, list.bodies, drawer, programs_.of(quality));
 }
 
-void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer, Quality quality) {
+void SurfacePass::draw_glyphs(const DrawList& list, const InstanceDrawer& drawer, GlyphPass& shapes,
+                              Quality quality) {
   const DeviceBatches* device = list.glyphs.device;
-  if (list.glyphs.begin == list.glyphs.end && (device == nullptr || device->classes.empty())) return;
+  const bool meshes = list.glyphs.begin < list.glyphs.end || (device != nullptr && !device->classes.empty());
+  if (!meshes && shapes.empty()) return;
   const Program& glyphs = programs_.of(quality).glyphs;
   blend(quality);
   gl_.set(kHidden);
-  const auto draw = [&](float opacity) {
+  const auto draw_meshes = [&](float opacity, bool (*kind)(Primitive)) {
+    if (!meshes) return;
+    glyphs.program.use();
     gl_.Uniform1f(glyphs.opacity, opacity);
+    drawer.draw(list, list.glyphs, kind);
+  };
+  const auto draw = [&](float opacity) {
     // Discs lie in the very surfaces that they mark: a little nearer, so that they win.
     gl_.Enable(GL_POLYGON_OFFSET_FILL);
     gl_.PolygonOffset(-1, -4);
-    drawer.draw(list, list.glyphs, is_disc);
+    draw_meshes(opacity, is_disc);
+    shapes.draw_discs(quality, opacity);
     gl_.Disable(GL_POLYGON_OFFSET_FILL);
-    drawer.draw(list, list.glyphs, is_solid);
+    draw_meshes(opacity, is_solid);
+    shapes.draw_solids(quality, opacity);
   };
-  glyphs.program.use();
   draw(kGhost);
   gl_.set({});
   draw(1);

@@ -3,6 +3,7 @@
 #pragma once
 
 #include "render/gl/gl_program.h"
+#include "render/gl/glyph_pass.h"
 #include "render/gl/instance_drawer.h"
 
 namespace pabd {
@@ -13,7 +14,7 @@ class SurfacePass {
 
   void draw_bodies(const DrawList& list, const InstanceDrawer& drawer, Quality quality);
   // After every opaque body: glyphs that bodies hide, faintly; then those in sight.
-  void draw_glyphs(const DrawList& list, const InstanceDrawer& drawer, Quality quality);
+  void draw_glyphs(const DrawList& list, const InstanceDrawer& drawer, GlyphPass& shapes, Quality quality);
   // Last of the surfaces: writes no depth.
   void draw_transparent(const DrawList& list, const InstanceDrawer& drawer, Quality quality);
 

@@ -61,7 +61,7 @@ BENCHMARK(draw_and_read)->Unit(benchmark::kMillisecond)->UseRealTime();
 
 // A scene as a window shows it, pass by pass. Run with LP_NUM_THREADS=0 for what it takes on one core.
 void window_view(benchmark::State& bench, const char* name, int steps, const RenderQuality& quality,
-                 int width, int height) {
+                 int width, int height, bool contacts = false, bool bonds = false) {
   std::vector<ContextAttempt> attempts;
   const std::unique_ptr<GlContext> context = create_headless_context(Backend::automatic, attempts);
   Renderer renderer(*context, width, height);
@@ -69,10 +69,13 @@ void window_view(benchmark::State& bench, const char* name, int steps, const Ren
   StepWorkspace workspace;
   StepReport report;
   for (int k = 0; k < steps; ++k)
-    step(file.model, file.params, {false, false, 2}, file.initial, workspace, report);
+    step(file.model, file.params, {false, contacts || bonds, 2}, file.initial, workspace, report);
   VisualScene scene;
   scene.camera = frame_camera(file.model, file.initial, double(width) / height);
-  build_visual(file.model, file.initial, report, {}, scene);
+  VisualOptions options;
+  options.contacts = contacts;
+  options.bonds = bonds;
+  build_visual(file.model, file.initial, report, options, scene);
   for (auto _ : bench) renderer.draw_view(0, scene, width, height, quality);
   renderer.measure_passes(true);
   renderer.draw_view(0, scene, width, height, quality);
@@ -87,6 +90,12 @@ void window_view(benchmark::State& bench, const char* name, int steps, const Ren
     bench.counters[pass] = ms;
 }
 BENCHMARK_CAPTURE(window_view, pyramid_1280x720, "pyramid", 6, RenderQuality{}, 1280, 720)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(window_view, two_boxes_1280x720, "two_boxes", 60, RenderQuality{}, 1280, 720)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(window_view, pyramid_contacts, "pyramid", 6, RenderQuality{}, 1280, 720, true)
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(window_view, pyramid_bonds, "pyramid", 6, RenderQuality{}, 1280, 720, false, true)
     ->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(window_view, full_1280x720, "pile", 240, RenderQuality{}, 1280, 720)
     ->Unit(benchmark::kMillisecond);

@@ -209,6 +209,52 @@ TEST_CASE("a glyph behind a body shows through, in front it covers, and it hides
   CHECK(before.b == 0);
 }
 
+TEST_CASE("glyphs that software GL draws as shapes look as their meshes do, in sight and behind bodies") {
+  constexpr int kSize = 240;
+  RenderFixture f(kSize, kSize);
+  const Primitive kind = GENERATE(Primitive::sphere, Primitive::cylinder, Primitive::cone, Primitive::disc);
+  const float slope = GENERATE(-1.5f, -0.8f, -0.05f, 0.6f, 1.2f);  // of the axis towards the eye
+  VisualScene scene;
+  scene.camera = front_camera(10);
+  scene.camera.orthographic = GENERATE(false, true);
+  scene.radius = 4;
+  // One in sight, one half in a body, one behind it, and one small; off the middle, where balls are ellipses.
+  scene.instances[0] = {flat_instance({1.5f, 1.5f, 0}, {1, 1, 1}, {0.1f, 0.1f, 0.6f, 1})};
+  const Eigen::Matrix3f turn =
+      (Eigen::AngleAxisf(0.4f, Vec3f::UnitZ()) * Eigen::AngleAxisf(slope, Vec3f::UnitX())).matrix();
+  for (const Vec4f& at :
+       {Vec4f(-2.5f, -2.5f, 0.5f, 0.5f), {2.2f, 1.8f, 1, 0.5f}, {0.8f, 0.9f, -2, 0.5f}, {-2, 2, 0, 0.12f}}) {
+    Instance glyph;
+    glyph.transform = scaled(at.head<3>(), at.w());
+    glyph.transform.block<3, 3>(0, 0) *= turn;
+    if (kind == Primitive::cylinder) glyph.transform.block<3, 1>(0, 1) *= 1.5f;
+    glyph.color = {0.8f, 0.3f, 0.1f, 1};
+    glyph.shadow = false;
+    glyph.shaded = kind == Primitive::sphere;
+    glyph.xray = true;
+    scene.instances[static_cast<int>(kind)].push_back(glyph);
+  }
+  const auto drawn = [&](Quality level) {
+    f.renderer.draw(scene, nullptr, {level, 0.1f});
+    f.renderer.queue_read();
+    Image image;
+    f.renderer.fetch(image);
+    return image;
+  };
+  const Image shapes = drawn(Quality::good), meshes = drawn(Quality::best);
+  int off = 0;
+  double signed_sum = 0;
+  for (std::size_t k = 0; k < shapes.rgb.size(); ++k) {
+    const int difference = shapes.rgb[k] - meshes.rgb[k];
+    off += std::abs(difference) > 12 ? 1 : 0;
+    signed_sum += difference;
+  }
+  CAPTURE(static_cast<int>(kind), slope, scene.camera.orthographic, off, signed_sum);
+  // Edges are smoothed in two ways: a seventh of a percent of the values.
+  CHECK(off < 1300);
+  CHECK(std::abs(signed_sum) < 1e4);
+}
+
 TEST_CASE("lines are as wide as they say, scale with the frame, and hide unless on top") {
   const auto green_loss = [](const Image& image, const Image& empty, int x) {
     double width = 0;
