@@ -64,8 +64,8 @@ GlBuffer buffer_of(const ComputeFunctions& gl, const void* data, std::size_t byt
 }
 
 CompareResult compare(Renderer& renderer, const Twin& twin, DeviceBodies& bodies, const char* name) {
-  const RenderQuality meshes{
-      Quality::best};  // on software GL too, which draws shapes of what is not on the GPU
+  // On software GL too, which draws shapes of what is not on the GPU.
+  const RenderQuality meshes{Quality::best};
   const Image expected = picture(renderer, twin.all, meshes, nullptr);
   const Image actual = picture(renderer, twin.bare, meshes, &bodies);
   if (const char* folder = std::getenv("PABD_KEEP_IMAGES")) {
