@@ -36,9 +36,9 @@ void fill(const GlFunctions& gl, GLenum target, const std::vector<T>& values) {
 
 GlyphPass::Programs::Programs(const GlFunctions& gl, const char* defines)
     : flats(gl, "flat glyphs", {{"defines", defines}, frame_block(), shaders::flat_vert},
-            {{"defines", defines}, shaders::flat_frag}),
+            {{"defines", defines}, shaders::fragment_color, shaders::flat_frag}),
       balls(gl, "balls", {{"defines", defines}, frame_block(), shaders::light_places, shaders::ball_vert},
-            {{"defines", defines}, frame_block(), shaders::ball_frag}),
+            {{"defines", defines}, frame_block(), shaders::fragment_color, shaders::ball_frag}),
       flat_opacity(flats.uniform("opacity")),
       ball_opacity(balls.uniform("opacity")),
       right(balls.uniform("right")),

@@ -47,6 +47,7 @@ SurfacePass::Program::Program(const GlFunctions& gl, const char* name, const std
                shaders::lighting,
                shaders::light_places,
                shaders::sun_visibility,
+               shaders::fragment_color,
                shaders::surface_frag}),
       opacity(program.uniform("opacity")),
       faceted(program.uniform("faceted")) {

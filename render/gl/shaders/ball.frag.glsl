@@ -11,32 +11,13 @@ flat in float under;
 flat in vec3 dim;
 flat in vec3 bright;
 flat in vec3 sunny;
-flat in vec4 color;
-uniform float opacity;
-#ifdef TAGGED
-flat in float tag;
-layout(location = 0, index = 0) out vec4 fragment;
-layout(location = 0, index = 1) out vec4 cover;  // its alpha is the opacity
-#else
-out vec4 fragment;
-#endif
 void main() {
   vec2 p = gl_FragCoord.xy - middle;
   float beyond = 1.0 - (round.x * p.x * p.x + round.y * p.x * p.y + round.z * p.y * p.y);
   if (beyond < 0.0) discard;
   vec3 q = vec3(p, sqrt(beyond));
-  float to_eight = max(dot(to_shine, q), 0.0);
-  to_eight *= to_eight;
-  to_eight *= to_eight;
-  to_eight *= to_eight;
-  float to_sixteen = to_eight * to_eight;
   vec3 around = (dim + bright * dot(to_sky, q)) * (1.0 - under * (1.0 - dot(to_floor, q)));
-  vec3 lit = around + sunny * max(dot(to_sun, q), 0.0) + frame.sun.rgb * (0.10 * to_sixteen * to_sixteen * to_eight);
+  vec3 lit = around + sunny * max(dot(to_sun, q), 0.0) + frame.sun.rgb * highlight_at(dot(to_shine, q));
   gl_FragDepth = depth.x - depth.y * q.z;
-#ifdef TAGGED
-  fragment = vec4(lit, tag);
-  cover = vec4(color.a * opacity);
-#else
-  fragment = vec4(lit, color.a * opacity);
-#endif
+  write_color(lit, 0.0);
 }

@@ -9,7 +9,6 @@ flat in vec4 sunny;  // sun_slope(), and how much of the sun the side may get
 #else
 in vec3 world_n;
 #endif
-flat in vec4 color;
 flat in float shaded;
 #if !defined(GLYPH) && !defined(CUBE)
 in vec3 local;
@@ -20,14 +19,6 @@ flat in vec2 half_face;
 flat in vec3 axis_u;
 flat in vec3 axis_v;
 flat in vec3 constant;  // width of the soft edge in m; under_floor(); 1 on the three sides of a checker that begin dark
-#endif
-uniform float opacity;
-#ifdef TAGGED
-flat in float tag;
-layout(location = 0, index = 0) out vec4 fragment;
-layout(location = 0, index = 1) out vec4 cover;  // its alpha is the opacity
-#else
-out vec4 fragment;
 #endif
 void main() {
 #ifdef CUBE
@@ -58,12 +49,7 @@ void main() {
   float sunlit = sun_visibility(sun_at, sun_slope(n)) * smoothstep(0.0, 0.12, dot(n, l));
 #endif
   vec3 h = normalize(l + normalize(to_eye));
-  float to_eight = max(dot(bent, h), 0.0);
-  to_eight *= to_eight;
-  to_eight *= to_eight;
-  to_eight *= to_eight;
-  float to_sixteen = to_eight * to_eight;
-  float highlight = 0.10 * to_sixteen * to_sixteen * to_eight;  // to the 40th
+  float highlight = highlight_at(dot(bent, h));
 #ifdef LIVE
   vec3 around = ambient(bent);
 #elif defined(CUBE)
@@ -72,7 +58,7 @@ void main() {
   vec3 around = ambient(bent) * near_floor(height, under_floor(n));
 #endif
   vec3 albedo = color.rgb;
-  float dark = 0.0;  // 1 on the dark fields of a checker
+  float dark = 0.0;
 #ifndef GLYPH
 #ifdef CUBE
   vec3 side = vec3(step(vec2(0.0), across), constant.z);
@@ -83,10 +69,5 @@ void main() {
   albedo *= 1.0 - 0.65 * dark;
 #endif
   vec3 lit = albedo * edge * (around + frame.sun.rgb * facing * sunlit) + frame.sun.rgb * highlight * sunlit;
-#ifdef TAGGED
-  fragment = vec4(mix(color.rgb, lit, min(shaded, 1.0)), tag + dark / 65535.0);
-  cover = vec4(color.a * opacity);
-#else
-  fragment = vec4(mix(color.rgb, lit, min(shaded, 1.0)), color.a * opacity);
-#endif
+  write_color(mix(color.rgb, lit, min(shaded, 1.0)), dark);
 }
