@@ -11,7 +11,7 @@ namespace pabd {
 namespace {
 
 constexpr std::size_t kMostWays = 12;
-constexpr double kEnough = 1e-3;  // of what the bounds change
+constexpr double kEnough = 0.01;  // of what the bounds change
 constexpr double kCalm = 0.01;    // d̂: beyond, f_n may be a thousand times that of the solution
 
 using Moves = std::vector<Vec6>;

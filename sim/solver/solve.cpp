@@ -137,12 +137,20 @@ void iterate(Task& t, Iterate& it) {
   if (t.records) record_iteration(t, gap_before, it);
 }
 
+constexpr std::size_t kFew = 64;  // bodies, which cost `newton` little more than a sweep does
+
+// `auto` in halves of piles: bodies hit, and begin the step deep in each other. A few sweeps take them apart, which costs
+// `newton` three times as many iterations.
+bool begins_with_sweeps(const Task& t) {
+  return t.p.is_half && t.newton() && !t.island.jointed && t.island.bodies.size() >= kFew &&
+         t.p.params->solver.method == SolverMethod::automatic;
+}
+
 // `auto` in a pile. While contacts come and go each iteration of `newton` solves another system, and costs
 // more than a sweep: where it does not halve the moves in every iteration, down to d̂, it has the pile again
-// after some sweeps. Few bodies cost it little more than a sweep does: those it keeps while some step lowers E.
+// after some sweeps. Few bodies it keeps while some step lowers E.
 void change_solver(Task& t, Iterate& it) {
-  constexpr int kTrial = 2, kSweeps = 20;
-  constexpr std::size_t kFew = 64;  // bodies
+  constexpr int kTrial = 2, kSweeps = 20, kFirstSweeps = 4;
   if (!t.system || t.island.jointed || t.p.params->solver.method != SolverMethod::automatic) return;
   const int n = t.iterations - t.since;
   const bool few = t.island.bodies.size() < kFew;
@@ -150,7 +158,7 @@ void change_solver(Task& t, Iterate& it) {
   if (t.newton() && fails) {
     finish_newton(t.p, t.island, *t.system, it);
     t.island.solver = SolverMethod::descent;
-  } else if (!t.newton() && n >= kSweeps) {
+  } else if (!t.newton() && n >= (t.since == 0 ? kFirstSweeps : kSweeps)) {
     t.island.solver = SolverMethod::newton;
     start_newton(t.p, t.island, it, *t.system);
   } else {
@@ -201,7 +209,11 @@ bool rests(Task& t, Iterate& it) {
 void solve(Task t, Iterate& it, IslandReport& out) {
   start(t, it);
   std::optional<StepStatus> status;
-  if (rests(t, it)) status = StepStatus::converged;
+  if (rests(t, it)) {
+    status = StepStatus::converged;
+  } else if (begins_with_sweeps(t)) {
+    t.island.solver = SolverMethod::descent;
+  }
   while (!status) {
     iterate(t, it);
     status = outcome(t, it);
