@@ -158,7 +158,8 @@ struct ContactState {
 struct ContactForce {
   Lanes value;    // Ψ(d); J
   Lanes first;    // Ψ'(d) ≤ 0; N
-  Lanes alpha_n;  // weight along the normal: tangent split; N/m
+  Lanes alpha_n;  // weight along the normal: tangent split, at least Ψ''; N/m
+  Lanes second;   // Ψ''; N/m
 };
 
 // The planes of a and the normal points of b; world, from c_a.
@@ -222,6 +223,7 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
     f.value[k] = psi.value;
     f.first[k] = psi.first;
     f.alpha_n[k] = tangent_split(b, d[k]).stiffness;
+    f.second[k] = psi.second;
   }
   return f;
 }
@@ -236,6 +238,7 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
   f.value = select(active, b.kappa * sum.value, zero);
   f.first = select(active, (-b.kappa * inverse) * sum.first, zero);
   f.alpha_n = select(active, (b.kappa * inverse * inverse) * larger(sum.second, sum.first / u), zero);
+  f.second = select(active, (b.kappa * inverse * inverse) * sum.second, zero);
   return f;
 }
 
@@ -250,6 +253,7 @@ inline ContactLevers levers_on_b(const ContactState& s, const Pose& a, const Pos
   f.value *= p.scale / p.damped;
   f.first *= p.scale;
   f.alpha_n *= p.damped * p.scale;
+  f.second *= p.damped * p.scale;
   return f;
 }
 

@@ -37,7 +37,7 @@ void set_apart(const ContactManifold& manifold, const ContactState& state, const
 }  // namespace
 
 PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& it,
-                                         const ContactManifold& manifold) {
+                                         const ContactManifold& manifold, NormalWeight weight) {
   LinearManifold out;
   const Pose &a = it.pose[manifold.a], &b = it.pose[manifold.b];
   const ContactState state = state_of(it, manifold);
@@ -49,6 +49,7 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
   // What is no number must not be passed over.
   out.active = !(sum(f.alpha_n) + sum(alpha_t) + turn_a.H_ww.trace() <= 0);
   if (!out.active) return out;
+  const Lanes alpha_n = weight == NormalWeight::exact ? larger(f.second, lanes(0)) : f.alpha_n;
 
   const ContactLevers on_a = levers_on_a(manifold, state, a), on_b = levers_on_b(state, a, b);
   const Vec3x push = f.first * state.n, drag = alpha_t * state.u;
@@ -74,13 +75,13 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
   out.normal = {{n.x, n.y, n.z, arm.x, arm.y, arm.z},
                 {arm_b.x, arm_b.y, arm_b.z},
                 -f.first,
-                f.alpha_n,
+                alpha_n,
                 law.k_t * u,
                 a.c - b.c};
   const Lanes* row = out.normal.row;
   const Lanes slip[6] = {n.x, n.y, n.z, slip_arm.x, slip_arm.y, slip_arm.z};
   for (int c = 0; c < 6; ++c) {
-    const Lanes normal = f.alpha_n * row[c], tangent = alpha_t * slip[c];
+    const Lanes normal = alpha_n * row[c], tangent = alpha_t * slip[c];
     for (int k = c; k < 6; ++k) H(k, c) += sum(normal * row[k] - tangent * slip[k]);
   }
   // Sliding contacts: less along the slip.
@@ -95,7 +96,7 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
   H.triangularView<Eigen::StrictlyUpper>() = H.transpose();
   H.bottomRightCorner<3, 3>() += turn_a.H_ww;
   if (!out.apart) return out;
-  set_apart(manifold, state, on_a, f.alpha_n, alpha_t, less, out);
+  set_apart(manifold, state, on_a, alpha_n, alpha_t, less, out);
   out.apart_b.bottomRightCorner<3, 3>() += turn_a.H_ww;
   out.apart_ba.bottomRightCorner<3, 3>() += turn_a.H_ww;
   return out;

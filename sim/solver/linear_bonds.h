@@ -58,6 +58,9 @@ struct alignas(sizeof(Lanes)) NormalRows {
   Vec3 back;             // from c_b to c_a; m
 };
 
+// What weighs moves along a normal: the tangent split, which a barrier's force nowhere exceeds, or Ψ'' itself.
+enum class NormalWeight : std::uint8_t { majorising, exact };
+
 // A manifold: with J = [1, −[r]] at its points seen from a, H = Σ Jᵀ (α_t 1 + (α_n − α_t) n nᵀ) J. Both bodies share the
 // points, so that b's part follows from H by the shift `back` of the centre. Not where a is round: its normal point and
 // b's slide past each other in the step, by as much as what friction turns b moves it.
@@ -76,7 +79,8 @@ struct LinearManifold {
 };
 // Does it push or hold there? LinearManifold::active says the same.
 bool pushes(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold);
-LinearManifold linearize(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold);
+LinearManifold linearize(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold,
+                         NormalWeight weight = NormalWeight::majorising);
 
 // Its geometric stiffness: forces F on b act at points r that turn with their body, and a plane turns with a. Rolling left
 // out.

@@ -6,7 +6,7 @@
 //   start_newton
 //   newton_iteration
 //     while only ball joints hold the island together, the step from their forces     dual_newton
-//     else the matrix at the iterate                                                   linear_bonds, coupled_matrix
+//     else the matrix at the iterate                                     newton_matrix, linear_bonds, coupled_matrix
 //       its direction; friction bounds and holds of motors at the end of it            sliding_tangent, joint_actions
 //       that step in full, or searched along a line; the best iterate so far           island_step
 //   finish_newton     back to the best iterate where the last one is worse
@@ -43,8 +43,10 @@ struct NewtonSystem {
 
   double damping;  // full steps went in circles: inertia of the matrix is raised by so many times itself
   int iterations;
-  bool curved;       // the matrix has ContactCurvature
-  bool bounds_stay;  // friction bounds are no unknowns
+  bool curved;          // the matrix has ContactCurvature
+  bool bounds_stay;     // friction bounds are no unknowns
+  double nearest_move;  // shortest since that was decided; d̂
+  int nearest_at;       // iteration that came to half of what was the shortest before
 
   bool stuck;  // no step along the last direction lowered E
   SlidingTangent sliding;

@@ -127,8 +127,8 @@ PABD_EACH_LEVEL TangentModel tangent_model(const Problem& p, Index i, const Iner
     const Lanes beyond = state.d - p.law.barrier.d_hat;
     room = select(beyond < 0, room, smaller(room, beyond));
     const bool nothing = feels_nothing(p.law.barrier, manifold, state.d);
-    const ContactForce force =
-        nothing ? ContactForce{lanes(0), lanes(0), lanes(0)} : normal_force(p.law.barrier, manifold, state.d);
+    const ContactForce force = nothing ? ContactForce{lanes(0), lanes(0), lanes(0), lanes(0)}
+                                       : normal_force(p.law.barrier, manifold, state.d);
     if (moves_limits && end.owner) move_limits(manifold, force, it);
     if (manifold.turning >= 0) add(turn_on_body(p.law, manifold, end.is_a ? -1 : 1, it), turning);
     if (nothing) continue;

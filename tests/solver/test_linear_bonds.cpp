@@ -86,4 +86,20 @@ TEST_CASE("the weights of balls that slid past each other are the derivatives of
   }
 }
 
+TEST_CASE("the exact weight is the derivative of a force that bends, where its majoriser is too stiff") {
+  // A ball on a ball, pressed beyond the onset: Ψ' = −κ/d̂ (1 + u + u²) with u = 0.6, so that Ψ'' = κ/d̂² (1 + 2 u).
+  Pair pair(Vec3::Zero(), 0);
+  pair.law.barrier.N = 3;
+  pair.law.barrier.onset = 0.2;
+  const auto stiffness = [&](NormalWeight weight) {
+    return linearize(pair.law, pair.it, pair.it.manifold[0], weight).H(1, 1);
+  };
+  const double unit = pair.law.barrier.kappa / (pair.law.barrier.d_hat * pair.law.barrier.d_hat), u = 0.6;
+  CHECK(stiffness(NormalWeight::exact) == Approx(unit * (1 + 2 * u)).epsilon(1e-9));
+  CHECK(stiffness(NormalWeight::majorising) == Approx(unit * (1 + u + u * u) / u).epsilon(1e-9));
+  // Within the onset both are the same.
+  pair.it.pose[1].c += Vec3(0, 0.005, 0);
+  CHECK(stiffness(NormalWeight::exact) == stiffness(NormalWeight::majorising));
+}
+
 }  // namespace pabd::test_linear_bonds

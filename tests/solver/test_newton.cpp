@@ -139,6 +139,28 @@ TEST_CASE("newton's last iterations on a jointed chain converge faster than line
   CHECK(fast >= 0.9 * steps);
 }
 
+TEST_CASE("newton's last iterations on a hit beyond the onset of the barrier converge faster than linearly") {
+  const double speed = GENERATE(1.5, 3.0, 6.0), mu = GENERATE(0.0, 0.5), tilt = GENERATE(0.0, 0.3);
+  World world;
+  world.params.solver.method = SolverMethod::newton;
+  world.params.solver.halvings = 0;
+  world.params.solver.iterations = 60;
+  world.params.contact.mu_static = world.params.contact.mu_dynamic = mu;
+  world.params.contact.kappa = 50 * speed;
+  world.add_ground();
+  const Index cube = world.add_cube(1, 1000, {0, 0.52 + 0.5 * std::sin(tilt) - 0.5 * (1 - std::cos(tilt)), 0},
+                                    exp_so3({0, 0.4, tilt}));
+  world.state.v[cube] = {0.3, -speed, 0};
+  StepReport report;
+  testing::run(world, 1, {true, false, 1}, [&](const StepReport& r) { report = r; });
+  CAPTURE(speed, mu, tilt, report.min_gap, report.iterations);
+  REQUIRE(report.status == StepStatus::converged);
+  const std::size_t n = report.records.size();
+  REQUIRE(report.min_gap < 0.8 * world.params.contact.d_hat);  // beyond ε = 0.2
+  REQUIRE(n >= 3);
+  CHECK(report.records[n - 1].residual < 0.05 * report.records[n - 2].residual);
+}
+
 TEST_CASE("a taut straight row of planks between two walls holds falling crates") {
   World world;
   const int planks = 20;
