@@ -41,6 +41,10 @@ std::uint32_t hash(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t 
   return static_cast<std::uint32_t>(h >> 32);
 }
 
+bool is_at(const BroadPhase::Cell& cell, std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t level) {
+  return cell.x == x && cell.y == y && cell.z == z && cell.level == level;
+}
+
 std::uint64_t bit_of(std::int32_t x, std::int32_t y) { return std::uint64_t{1} << ((y & 7) * 8 + (x & 7)); }
 
 float below(double x) { return static_cast<float>(x - 1.2e-7 * std::abs(x) - 1e-37); }
@@ -132,8 +136,7 @@ void BroadPhase::fill_cells(const std::vector<Aabb>& boxes, const std::vector<st
         taken[taken_word(x, y, z, level)] |= bit_of(x, y);
         break;
       }
-      const Cell& cell = cells[static_cast<std::size_t>(table[slot])];
-      if (cell.x == x && cell.y == y && cell.z == z && cell.level == level) break;
+      if (is_at(cells[static_cast<std::size_t>(table[slot])], x, y, z, level)) break;
     }
     cell_of[i] = table[slot];
     ++cells[static_cast<std::size_t>(cell_of[i])].count;
@@ -167,12 +170,13 @@ std::size_t BroadPhase::taken_word(std::int32_t x, std::int32_t y, std::int32_t 
   return 8 * block + static_cast<std::size_t>(z & 7);
 }
 
-Index BroadPhase::find_cell(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t level) const {
+Index BroadPhase::find_cell(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t level,
+                            std::size_t guess) const {
+  if (guess < cells.size() && is_at(cells[guess], x, y, z, level)) return static_cast<Index>(guess);
   if ((taken[taken_word(x, y, z, level)] & bit_of(x, y)) == 0) return -1;
   const std::size_t mask = table.size() - 1;
   for (std::size_t slot = hash(x, y, z, level) & mask; table[slot] >= 0; slot = (slot + 1) & mask) {
-    const Cell& cell = cells[static_cast<std::size_t>(table[slot])];
-    if (cell.x == x && cell.y == y && cell.z == z && cell.level == level) return table[slot];
+    if (is_at(cells[static_cast<std::size_t>(table[slot])], x, y, z, level)) return table[slot];
   }
   return -1;
 }
@@ -328,7 +332,7 @@ void BroadPhase::find_in(std::size_t begin, std::size_t end, const BroadPhaseInp
       for (Index q = p + 1; q < cell.count; ++q) test(own[p], own[q]);
     }
     for (const auto& step : kForward) {
-      const Index other = find_cell(cell.x + step[0], cell.y + step[1], cell.z + step[2], cell.level);
+      const Index other = find_cell(cell.x + step[0], cell.y + step[1], cell.z + step[2], cell.level, c + 1);
       if (other < 0) continue;
       const Cell& neighbour = cells[static_cast<std::size_t>(other)];
       if (all_apart(cell, neighbour)) continue;

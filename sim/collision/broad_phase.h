@@ -108,7 +108,9 @@ struct BroadPhase {
   template <class Visit>
   bool each_coarser(const Aabb& box, std::int32_t level, const Visit& visit) const;
   std::size_t taken_word(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t level) const;
-  Index find_cell(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t level) const;
+  // −1: there is none. The walk through the table misses the cache; along a row of bodies the next cell is the neighbour.
+  Index find_cell(std::int32_t x, std::int32_t y, std::int32_t z, std::int32_t level,
+                  std::size_t guess = SIZE_MAX) const;
 };
 
 }  // namespace pabd
