@@ -131,21 +131,24 @@ void add_contacts_at_start(const Problem& p, const Island& island, bool solved, 
 }
 
 // Ψ of the island's joints; drives stand where they stand at `time`.
-double joint_energies(const Problem& p, const Island& island, double time, const Iterate& it) {
-  double energy = 0;
-  for (const Index k : island.joints) energy += energy_of_joint(p, it, k, time) + spring_energy(p, it, k);
-  return energy;
+double joint_energies(const Problem& p, const Island& island, double time, const Workers& workers,
+                      EnergyMemory& memory, const Iterate& it) {
+  return workers.sum(island.joints.size(), 0.0, memory.one, [&](std::size_t n) {
+    const Index k = island.joints[n];
+    return energy_of_joint(p, it, k, time) + spring_energy(p, it, k);
+  });
 }
 
 // Ψ of the joints where the step starts.
-double joint_energies_at_start(const Problem& p, const Island& island, EnergyMemory& memory, Iterate& it) {
+double joint_energies_at_start(const Problem& p, const Island& island, const Workers& workers,
+                               EnergyMemory& memory, Iterate& it) {
   if (island.joints.empty()) return 0;
   memory.pose.resize(p.model->shape.size());
   for (const Index i : island.bodies) {
     memory.pose[i] = it.pose[i];
     it.pose[i] = p.start_pose(i);
   }
-  const double energy = joint_energies(p, island, p.time - p.params->h, it);
+  const double energy = joint_energies(p, island, p.time - p.params->h, workers, memory, it);
   for (const Index i : island.bodies) it.pose[i] = memory.pose[i];
   return energy;
 }
@@ -165,16 +168,17 @@ double stored_at_part(const Problem& p, const Island& island, const Workers& wor
     set_pose(p, i, {c, exp_so3(t * log_so3(end.R * from.R.transpose())) * from.R}, it);
     energy += fall(p, i, it.pose[i]);
   }
-  return energy + joint_energies(p, island, p.time, it) +
-         contact_energies(p, island, false, workers, memory, it) - drive_work(p, it, island.joints);
+  return energy + joint_energies(p, island, p.time, workers, memory, it) +
+         contact_energies(p, island, false, workers, memory, it) -
+         drive_work(p, it, island.joints, workers, memory);
 }
 
-double kinetic_at_end(const Problem& p, const Island& island, const Velocities& velocities,
-                      const Iterate& it) {
-  double energy = 0;
-  for (const Index i : island.bodies)
-    energy += kinetic_energy(*p.model, i, it.pose[i].R, velocities.v[i], velocities.omega[i]);
-  return energy;
+double kinetic_at_end(const Problem& p, const Island& island, const Workers& workers,
+                      const Velocities& velocities, EnergyMemory& memory, const Iterate& it) {
+  return workers.sum(island.bodies.size(), 0.0, memory.one, [&](std::size_t k) {
+    const Index i = island.bodies[k];
+    return kinetic_energy(*p.model, i, it.pose[i].R, velocities.v[i], velocities.omega[i]);
+  });
 }
 
 }  // namespace
@@ -191,10 +195,10 @@ double external_work(const Problem& p, Index i, const Pose& end) {
   return F.dot(end.c - p.start->c[i]) + torque.dot(turn_between(p.start->R[i], end.R));
 }
 
-double drive_work(const Problem& p, const Iterate& it, std::span<const Index> joints) {
-  double work = 0;
-  for (const Index k : joints) work += drive_work_of(p, it, k);
-  return work;
+double drive_work(const Problem& p, const Iterate& it, std::span<const Index> joints, const Workers& workers,
+                  EnergyMemory& memory) {
+  return workers.sum(joints.size(), 0.0, memory.one,
+                     [&](std::size_t k) { return drive_work_of(p, it, joints[k]); });
 }
 
 bool gains(const EnergyBalance& energy, double share, double residual) {
@@ -211,22 +215,24 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved
                              const Velocities& velocities, EnergyMemory& memory, Iterate& it) {
   const Model& model = *p.model;
   EnergyBalance out;
-  double flight = 0, fell = 0;
-  for (const Index i : island.bodies) {
-    out.kinetic += kinetic_energy(model, i, p.start->R[i], p.start->v[i], p.start->omega[i]);
-    flight += has_external(model, i)
-                  ? kinetic_energy(model, i, p.start->R[i], p.start->v[i], p.start->omega[i])
-                  : kinetic_energy(model, i, p.flight->star[i].R, p.start->v[i], p.flight->omega[i]);
-    fell += fall(p, i, it.pose[i]);
-  }
-  const double kinetic = kinetic_at_end(p, island, velocities, it);
+  const Vec3 sums = workers.sum(island.bodies.size(), Vec3(Vec3::Zero()), memory.three, [&](std::size_t k) {
+    const Index i = island.bodies[k];
+    const double start = kinetic_energy(model, i, p.start->R[i], p.start->v[i], p.start->omega[i]);
+    const double flight = has_external(model, i) ? start
+                                                 : kinetic_energy(model, i, p.flight->star[i].R,
+                                                                  p.start->v[i], p.flight->omega[i]);
+    return Vec3(start, flight, fall(p, i, it.pose[i]));
+  });
+  out.kinetic = sums[0];
+  const double flight = sums[1], fell = sums[2];
+  const double kinetic = kinetic_at_end(p, island, workers, velocities, memory, it);
   out.sped_up = kinetic - out.kinetic;
   if (!p.second_order(island.bodies.front())) out.kinetic = std::max(out.kinetic, flight);
-  out.stored = joint_energies_at_start(p, island, memory, it);
+  out.stored = joint_energies_at_start(p, island, workers, memory, it);
   add_contacts_at_start(p, island, solved, it, out);
-  out.rise = kinetic + fell + joint_energies(p, island, p.time, it) +
-             contact_energies(p, island, solved, workers, memory, it) - drive_work(p, it, island.joints) -
-             out.kinetic - out.stored;
+  out.rise = kinetic + fell + joint_energies(p, island, p.time, workers, memory, it) +
+             contact_energies(p, island, solved, workers, memory, it) -
+             drive_work(p, it, island.joints, workers, memory) - out.kinetic - out.stored;
   if (solved) out.rise -= turning_work(p, it, island.joints, velocities);
   for (std::size_t k = 0; k < island.manifolds.size(); ++k)
     if (comes_apart(p, island, it.manifold[island.manifolds[k]])) out.freed -= memory.energy[k];
@@ -254,7 +260,8 @@ void bound_energy(const Problem& p, const Island& island, const Workers& workers
   memory.from.resize(p.model->shape.size());
   for (const Index i : island.bodies) memory.pose[i] = it.pose[i];
   rigidly_moved(p, island, groups, memory.from);
-  const double most = balance.kinetic + balance.stored - kinetic_at_end(p, island, velocities, it);
+  const double most =
+      balance.kinetic + balance.stored - kinetic_at_end(p, island, workers, velocities, memory, it);
   double low = 0, high = 1;
   for (int k = 0; k < kBisections; ++k) {
     const double t = 0.5 * (low + high);

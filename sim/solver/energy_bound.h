@@ -25,7 +25,9 @@
 namespace pabd {
 
 // W of all drives and of what acts along joints of an island at the iterate; J.
-double drive_work(const Problem& p, const Iterate& it, std::span<const Index> joints);
+struct EnergyMemory;
+double drive_work(const Problem& p, const Iterate& it, std::span<const Index> joints, const Workers& workers,
+                  EnergyMemory& memory);
 
 // Work of the forces and torques from outside on body i on its way from the start of the step to `end`; J.
 double external_work(const Problem& p, Index i, const Pose& end);
@@ -45,6 +47,8 @@ struct EnergyBalance {
 struct EnergyMemory {
   std::vector<Pose> pose, from;  // per body
   std::vector<double> energy;    // per manifold of the island
+  std::vector<double> one;       // of sums
+  std::vector<Vec3> three;
 };
 
 // Of an island whose velocities are known; `solved`: it converged.

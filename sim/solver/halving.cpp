@@ -59,7 +59,7 @@ Verdict judge_island(const Problem& p, std::size_t k, const Workers& workers, St
   const Island& island = m.islands.list[k];
   const bool halves = may_halve(p.params->solver);
   if (outcome.status == StepStatus::non_finite ||
-      ran_away(p, island, m.velocities, m.energy.pose, m.iterate)) {
+      ran_away(p, island, workers, m.velocities, m.energy, m.iterate)) {
     outcome.status = StepStatus::non_finite;
     return halves ? Verdict::again : Verdict::fails;
   }

@@ -45,8 +45,8 @@ double width(const Problem& p, const Island& island, std::vector<Pose>& end, Ite
 
 }  // namespace
 
-bool ran_away(const Problem& p, const Island& island, const Velocities& velocities,
-              std::vector<Pose>& scratch, Iterate& it) {
+bool ran_away(const Problem& p, const Island& island, const Workers& workers, const Velocities& velocities,
+              EnergyMemory& memory, Iterate& it) {
   const Model& model = *p.model;
   const double d_hat = p.law.barrier.d_hat;
   const auto K_flight = [&](Index i) {
@@ -55,14 +55,14 @@ bool ran_away(const Problem& p, const Island& island, const Velocities& velociti
   const auto K_end = [&](Index i) {
     return kinetic_energy(model, i, it.pose[i].R, velocities.v[i], velocities.omega[i]);
   };
-  double gained = 0;
-  for (const Index i : island.bodies) {
-    if (is_lost(it.pose[i].c, d_hat) || is_lost(p.params->h * velocities.v[i], d_hat)) return true;
-    gained += K_end(i) - K_flight(i);
-  }
+  const double gained = workers.sum(island.bodies.size(), 0.0, memory.one, [&](std::size_t k) {
+    const Index i = island.bodies[k];
+    const bool lost = is_lost(it.pose[i].c, d_hat) || is_lost(p.params->h * velocities.v[i], d_hat);
+    return lost ? kInfinity : K_end(i) - K_flight(i);
+  });
   if (!std::isfinite(gained)) return true;
   if (!(gained > 0)) return false;
-  const double speed = 100 * width(p, island, scratch, it) / p.params->h;
+  const double speed = 100 * width(p, island, memory.pose, it) / p.params->h;
   return std::any_of(island.bodies.begin(), island.bodies.end(), [&](Index i) {
     const double K = K_end(i);
     return K > K_flight(i) && K > 0.5 * model.mass[i] * speed * speed;

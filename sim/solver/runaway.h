@@ -10,6 +10,7 @@
 // resolves d̂.
 #pragma once
 
+#include "sim/solver/energy_bound.h"
 #include "sim/solver/islands.h"
 #include "sim/solver/velocities.h"
 
@@ -17,7 +18,7 @@ namespace pabd {
 
 // Did the solve of an island run away, or is a result not finite? The iterate and the velocities are those of the end; it is
 // left as it was.
-bool ran_away(const Problem& p, const Island& island, const Velocities& velocities,
-              std::vector<Pose>& scratch, Iterate& it);
+bool ran_away(const Problem& p, const Island& island, const Workers& workers, const Velocities& velocities,
+              EnergyMemory& memory, Iterate& it);
 
 }  // namespace pabd

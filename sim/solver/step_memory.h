@@ -16,6 +16,15 @@ namespace pabd {
 
 class Halves;
 
+// Of joints: Ψ, J, and the largest error, m.
+struct JointSum {
+  double elastic = 0, error = 0;
+  void operator+=(const JointSum& other) {
+    elastic += other.elastic;
+    error = larger(error, other.error);
+  }
+};
+
 struct StepMemory {
   Flight flight;
   SecondOrder second_order;
@@ -32,7 +41,8 @@ struct StepMemory {
   std::vector<EnergyBalance> balance;  // of each island
   std::vector<std::uint8_t> again;     // per body: its island is made again in halves
   std::vector<Index> reported_joints;  // of the others
-  std::unique_ptr<Halves> halves;      // once there were some
+  std::vector<JointSum> joint_sums;
+  std::unique_ptr<Halves> halves;  // once there were some
 };
 
 }  // namespace pabd

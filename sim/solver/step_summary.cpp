@@ -126,10 +126,10 @@ void report_bodies(const Problem& p, const Islands& islands, const std::vector<I
 }
 
 void report_joints(const Problem& p, const Iterate& it, const std::vector<Vec3>& solved,
-                   std::vector<JointReport>& out) {
-  out.clear();
-  BondList list;
-  for (std::size_t k = 0; k < p.joints.model.size(); ++k) {
+                   const Workers& workers, std::vector<JointReport>& out) {
+  out.resize(p.joints.model.size());
+  workers.for_each(out.size(), [&](std::size_t k) {
+    BondList list;
     const auto number = static_cast<Index>(k);
     const Joint& joint = p.joints[number];
     const PlacedFrame frame = place(joint.on_i, it.pose[it.slot(joint.i)]);
@@ -146,8 +146,8 @@ void report_joints(const Problem& p, const Iterate& it, const std::vector<Vec3>&
       report.moment += (bond.y_b - frame.y).cross(force);
     }
     if (const Index n = coupling_of(p, number); n >= 0) report.coupling = coupling_force(p, it, n);
-    out.push_back(report);
-  }
+    out[k] = report;
+  });
 }
 
 }  // namespace pabd

@@ -34,6 +34,6 @@ void report_bodies(const Problem& p, const Islands& islands, const std::vector<I
 // which are those that the step was made with where it converged. `solved`: of each joint what the solver
 // found (State::joint_force); joints with one bond report that. Pulls are none of them.
 void report_joints(const Problem& p, const Iterate& it, const std::vector<Vec3>& solved,
-                   std::vector<JointReport>& out);
+                   const Workers& workers, std::vector<JointReport>& out);
 
 }  // namespace pabd

@@ -87,10 +87,10 @@ void build(const StepOptions& options, const Workers& workers, StepMemory& m, St
 }
 
 // Velocities that follow from the poses; the momentum of what feels no external force is kept.
-void find_motion(const Problem& p, StepMemory& m) {
+void find_motion(const Problem& p, const Workers& workers, StepMemory& m) {
   find_free_groups(p, m.islands, m.iterate, m.groups);
   balance_poses(p, m.groups, m.iterate);
-  find_velocities(p, m.islands, m.iterate, m.velocities);
+  find_velocities(p, m.islands, workers, m.iterate, m.velocities);
   balance_velocities(p, m.iterate, m.groups, m.velocities);
   if (has_second_order(p.params->solver)) let_fly(p, m.iterate, m.velocities);
 }
@@ -158,34 +158,41 @@ void take_over(const Problem& p, StepMemory& m, State& state) {
 }
 
 // The work of drives, belts and what acts from outside on what is not made again. Precondition: the state is still that of the start.
-void count_work(const Problem& p, StepMemory& m, StepReport& report) {
+void count_work(const Problem& p, const Workers& workers, StepMemory& m, StepReport& report) {
   m.reported_joints.clear();
   for (std::size_t k = 0; k < p.joints.size(); ++k) {
     const auto [i, j] = p.joint_ends[k];
     const Index moving = p.movable(i) ? i : j;
     if (!p.movable(moving) || !m.again[moving]) m.reported_joints.push_back(static_cast<Index>(k));
   }
-  report.drive_work = drive_work(p, m.iterate, m.reported_joints) + surface_work(p, m.iterate);
+  report.drive_work =
+      drive_work(p, m.iterate, m.reported_joints, workers, m.energy) + surface_work(p, m.iterate);
   for (Index i = 0; i < p.model->size(); ++i)
     if (p.movable(i) && !m.again[i]) report.drive_work += external_work(p, i, m.iterate.pose[i]);
 }
 
 // Of what is not made again.
-void summarize(const Problem& p, StepMemory& m, const StepOptions& options, const State& end,
-               StepReport& report) {
+void summarize(const Problem& p, const Workers& workers, StepMemory& m, const StepOptions& options,
+               const State& end, StepReport& report) {
   summarize_contacts(p, m.iterate, options.report_contacts, report);
-  for (const Index k : m.reported_joints) {
-    report.elastic += energy_of_joint(p, m.iterate, k) + spring_energy(p, m.iterate, k);
-    report.max_joint_error = larger(report.max_joint_error, joint_error(p, m.iterate, k));
-  }
-  if (options.report_joints) report_joints(p, m.iterate, end.joint_force, report.joint_reports);
+  const JointSum joints = workers.sum(m.reported_joints.size(), JointSum{}, m.joint_sums, [&](std::size_t n) {
+    const Index k = m.reported_joints[n];
+    return JointSum{energy_of_joint(p, m.iterate, k) + spring_energy(p, m.iterate, k),
+                    joint_error(p, m.iterate, k)};
+  });
+  report.elastic += joints.elastic;
+  report.max_joint_error = larger(report.max_joint_error, joints.error);
+  if (options.report_joints) report_joints(p, m.iterate, end.joint_force, workers, report.joint_reports);
   if (options.report_bodies)
     report_bodies(p, m.islands, report.islands, m.iterate, m.solvers.sissm, report.body_reports);
-  for (Index i = 0; i < p.model->size(); ++i) {
-    if (!p.movable(i) || m.again[i]) continue;
-    report.kinetic += kinetic_energy(*p.model, i, end.R[i], end.v[i], end.omega[i]);
-    report.potential -= p.model->mass[i] * p.params->gravity.dot(end.c[i]);
-  }
+  const Vec3 energy = workers.sum(m.again.size(), Vec3(Vec3::Zero()), m.energy.three, [&](std::size_t k) {
+    const auto i = static_cast<Index>(k);
+    if (!p.movable(i) || m.again[i]) return Vec3(Vec3::Zero());
+    return Vec3(kinetic_energy(*p.model, i, end.R[i], end.v[i], end.omega[i]),
+                p.model->mass[i] * p.params->gravity.dot(end.c[i]), 0);
+  });
+  report.kinetic += energy[0];
+  report.potential -= energy[1];
 }
 
 // The step was not made: what it would have ended with is not known.
@@ -261,7 +268,7 @@ void make_step(const StepOptions& options, StepMemory& m, State& state, StepRepo
   report.times.solve = watch.lap();
   if (report.status == StepStatus::interrupted) return;
 
-  find_motion(p, m);  // 4. velocities
+  find_motion(p, workers, m);  // 4. velocities
   if (!feasible || !judge(p, workers, m, report)) return fail(report);
   if (may_halve(p.params->solver))
     mark_late_contacts(p, m.islands, report.islands, workers, m.iterate, m.detection, m.late, m.again);
@@ -276,9 +283,9 @@ void make_step(const StepOptions& options, StepMemory& m, State& state, StepRepo
     if (!is_made_again(island, m)) bounce(p, island, m.velocities, m.iterate);
   }
   if (halved) drop_bonds_made_again(p, m);
-  count_work(p, m, report);
+  count_work(p, workers, m, report);
   take_over(p, m, state);
-  summarize(p, m, options, state, report);
+  summarize(p, workers, m, options, state, report);
   if (halved) m.halves->put(m.islands, state, report);
   state.step = report.step;
   state.time = report.time;

@@ -7,17 +7,19 @@
 
 namespace pabd {
 
-void find_velocities(const Problem& p, const Islands& islands, Iterate& it, Velocities& out) {
+void find_velocities(const Problem& p, const Islands& islands, const Workers& workers, Iterate& it,
+                     Velocities& out) {
   const Model& model = *p.model;
   out.v = p.flight->v;
   out.omega = p.flight->omega;
-  for (const Index i : islands.solved) {
+  workers.for_each(islands.solved.size(), [&](std::size_t k) {
+    const Index i = islands.solved[k];
     const Pose& star = p.flight->star[i];
     Pose& pose = it.pose[i];
-    if (pose.c == star.c && pose.R == star.R) continue;  // flew freely
+    if (pose.c == star.c && pose.R == star.R) return;  // flew freely
     if (!p.second_order(i) && pose.c == p.start->c[i] && pose.R == p.start->R[i]) {
       out.v[i] = out.omega[i] = Vec3::Zero();  // exactly, and so it stays
-      continue;
+      return;
     }
     pose.R = reorthonormalized(pose.R);
     const double h = p.flight->h[i];
@@ -26,7 +28,7 @@ void find_velocities(const Problem& p, const Islands& islands, Iterate& it, Velo
     const Vec3 spin = star.R * (I * (star.R.transpose() * out.omega[i])) -
                       axial(star.R * model.J[i] * pose.R.transpose()) / h;
     out.omega[i] = pose.R * (symmetric_inverse(I) * (pose.R.transpose() * spin));
-  }
+  });
 }
 
 }  // namespace pabd

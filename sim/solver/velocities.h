@@ -3,6 +3,7 @@
 #pragma once
 
 #include "sim/solver/islands.h"
+#include "sim/solver/workers.h"
 
 namespace pabd {
 
@@ -14,6 +15,7 @@ struct Velocities {
 // v ← v + (c − c*)/h, h that of Flight. The spin gets the angular impulse that the minimiser of E implies, −axial(R* J Rᵀ)/h,
 // which is I log(R R*ᵀ)/h to first order and exactly the contacts' r × f h (Deviation D8). Rotations of the
 // iterate are made orthonormal to rounding.
-void find_velocities(const Problem& p, const Islands& islands, Iterate& it, Velocities& out);
+void find_velocities(const Problem& p, const Islands& islands, const Workers& workers, Iterate& it,
+                     Velocities& out);
 
 }  // namespace pabd

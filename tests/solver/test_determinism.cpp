@@ -7,6 +7,7 @@
 #include "sim/scene/scene.h"
 #include "sim/solver/step_memory.h"
 #include "sim/solver/time_step.h"
+#include "sim/solver/workers.h"
 #include "tests/support/places.h"
 
 namespace pabd::test_determinism {
@@ -89,6 +90,23 @@ TEST_CASE("sticking and sliding contacts: the same bits for every number of thre
       const Outcome alone = run(scene, method, 1, 20);
       REQUIRE_FALSE(alone.end.contacts.empty());
       for (const int threads : {2, 3, 8}) CHECK(same_bits(run(scene, method, threads, 20).end, alone.end));
+    }
+  }
+}
+
+TEST_CASE("sums have the same bits for every number of threads, and every term once") {
+  Team team(kEveryLoop);
+  std::vector<double> blocks;
+  for (const std::size_t count :
+       {std::size_t{0}, std::size_t{1}, std::size_t{512}, std::size_t{513}, std::size_t{10000}}) {
+    const auto sum = [&](int threads, const auto& term) {
+      return Workers{team, threads, {}}.sum(count, 0.0, blocks, term);
+    };
+    const auto n = static_cast<double>(count);
+    const auto reciprocal = [](std::size_t k) { return 1 / (1.0 + static_cast<double>(k)); };
+    for (const int threads : {1, 2, 8}) {
+      CHECK(sum(threads, [](std::size_t k) { return static_cast<double>(k); }) == 0.5 * n * (n - 1));
+      CHECK(sum(threads, reciprocal) == sum(1, reciprocal));
     }
   }
 }
