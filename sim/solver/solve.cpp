@@ -140,7 +140,7 @@ void iterate(Task& t, Iterate& it) {
 constexpr std::size_t kFew = 64;  // bodies, which cost `newton` little more than a sweep does
 
 // `auto` in halves of piles: bodies hit, and begin the step deep in each other. A few sweeps take them apart, which costs
-// `newton` three times as many iterations.
+// `newton` twice as many iterations.
 bool begins_with_sweeps(const Task& t) {
   return t.p.is_half && t.newton() && !t.island.jointed && t.island.bodies.size() >= kFew &&
          t.p.params->solver.method == SolverMethod::automatic;
