@@ -61,7 +61,7 @@ TEST_CASE("planks that fall in a heap: what is advised, taken again and again, e
   testing::World world = planks(30);
   world.params.h = 1.0 / 20;
   world.params.solver.iterations = 2;
-  world.params.solver.halvings = 3;
+  world.params.solver.halvings = 2;
   std::size_t before = 0;
   std::vector<std::string> keys;
   for (int clicks = 0;; ++clicks) {
