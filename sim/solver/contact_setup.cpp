@@ -132,10 +132,12 @@ void add_point(const Problem& problem, const ContactPoint& p, const Passage& fro
   if (manifold.turns && radius_b == 0) set_lane(manifold.to_surface, k, in_b(p.y_b) - normal_b);
   if (manifold.turns) {
     const Vec3 normal_a = start.R[p.a].transpose() * at_start;
-    const Mat3 half_way = exp_so3(0.5 * turns[p.a]) * start.R[p.a];
-    const Vec3 turn = half_way.transpose() * (turns[p.b] - turns[p.a]);
     set_lane(manifold.normal_a, k, normal_a);
-    set_lane(manifold.rolled, k, radius_b * n.cross(turn));
+    if (radius_b > 0) {
+      const Mat3 half_way = exp_so3(0.5 * turns[p.a]) * start.R[p.a];
+      const Vec3 turn = half_way.transpose() * (turns[p.b] - turns[p.a]);
+      set_lane(manifold.rolled, k, radius_b * n.cross(turn));
+    }
     manifold.gap[k] = n.dot(normal_a - in_a(p.y_a)) - inside_b;
   } else {
     const Vec3 normal_a = in_a(p.y_a - radius_a * p.n);
