@@ -133,7 +133,7 @@ void add_contacts_at_start(const Problem& p, const Island& island, bool solved, 
 // Ψ of the island's joints; drives stand where they stand at `time`.
 double joint_energies(const Problem& p, const Island& island, double time, const Workers& workers,
                       EnergyMemory& memory, const Iterate& it) {
-  return workers.sum(island.joints.size(), 0.0, memory.one, [&](std::size_t n) {
+  return workers.sum(island.joints.size(), 0.0, memory.partial_sums, [&](std::size_t n) {
     const Index k = island.joints[n];
     return energy_of_joint(p, it, k, time) + spring_energy(p, it, k);
   });
@@ -175,7 +175,7 @@ double stored_at_part(const Problem& p, const Island& island, const Workers& wor
 
 double kinetic_at_end(const Problem& p, const Island& island, const Workers& workers,
                       const Velocities& velocities, EnergyMemory& memory, const Iterate& it) {
-  return workers.sum(island.bodies.size(), 0.0, memory.one, [&](std::size_t k) {
+  return workers.sum(island.bodies.size(), 0.0, memory.partial_sums, [&](std::size_t k) {
     const Index i = island.bodies[k];
     return kinetic_energy(*p.model, i, it.pose[i].R, velocities.v[i], velocities.omega[i]);
   });
@@ -197,7 +197,7 @@ double external_work(const Problem& p, Index i, const Pose& end) {
 
 double drive_work(const Problem& p, const Iterate& it, std::span<const Index> joints, const Workers& workers,
                   EnergyMemory& memory) {
-  return workers.sum(joints.size(), 0.0, memory.one,
+  return workers.sum(joints.size(), 0.0, memory.partial_sums,
                      [&](std::size_t k) { return drive_work_of(p, it, joints[k]); });
 }
 
@@ -215,14 +215,15 @@ EnergyBalance energy_balance(const Problem& p, const Island& island, bool solved
                              const Velocities& velocities, EnergyMemory& memory, Iterate& it) {
   const Model& model = *p.model;
   EnergyBalance out;
-  const Vec3 sums = workers.sum(island.bodies.size(), Vec3(Vec3::Zero()), memory.three, [&](std::size_t k) {
-    const Index i = island.bodies[k];
-    const double start = kinetic_energy(model, i, p.start->R[i], p.start->v[i], p.start->omega[i]);
-    const double flight = has_external(model, i) ? start
-                                                 : kinetic_energy(model, i, p.flight->star[i].R,
-                                                                  p.start->v[i], p.flight->omega[i]);
-    return Vec3(start, flight, fall(p, i, it.pose[i]));
-  });
+  const Vec3 sums =
+      workers.sum(island.bodies.size(), Vec3(Vec3::Zero()), memory.partial_vectors, [&](std::size_t k) {
+        const Index i = island.bodies[k];
+        const double start = kinetic_energy(model, i, p.start->R[i], p.start->v[i], p.start->omega[i]);
+        const double flight = has_external(model, i) ? start
+                                                     : kinetic_energy(model, i, p.flight->star[i].R,
+                                                                      p.start->v[i], p.flight->omega[i]);
+        return Vec3(start, flight, fall(p, i, it.pose[i]));
+      });
   out.kinetic = sums[0];
   const double flight = sums[1], fell = sums[2];
   const double kinetic = kinetic_at_end(p, island, workers, velocities, memory, it);

@@ -24,8 +24,14 @@
 
 namespace pabd {
 
+struct EnergyMemory {
+  std::vector<Pose> pose, from;       // per body
+  std::vector<double> energy;         // per manifold of the island
+  std::vector<double> partial_sums;   // Workers::sum
+  std::vector<Vec3> partial_vectors;  // the same, of three sums at once
+};
+
 // W of all drives and of what acts along joints of an island at the iterate; J.
-struct EnergyMemory;
 double drive_work(const Problem& p, const Iterate& it, std::span<const Index> joints, const Workers& workers,
                   EnergyMemory& memory);
 
@@ -42,13 +48,6 @@ struct EnergyBalance {
 
   // What bodies must not have: they get no speed from coming apart.
   double excess() const { return rise + std::max(0.0, freed); }
-};
-
-struct EnergyMemory {
-  std::vector<Pose> pose, from;  // per body
-  std::vector<double> energy;    // per manifold of the island
-  std::vector<double> one;       // of sums
-  std::vector<Vec3> three;
 };
 
 // Of an island whose velocities are known; `solved`: it converged.

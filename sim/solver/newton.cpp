@@ -221,11 +221,9 @@ void take_turns(const Problem& p, const Island& island, NewtonSystem& system, It
   system.curved = k >= kPlain;
   if (!p.friction || k == 0) return;
   const double moved = largest_moved(island, it);
-  if (k - system.nearest_at >= kTurn) {
-    system.bounds_stay = !system.bounds_stay;
-    system.nearest_move = moved;
-    system.nearest_at = k;
-  } else if (moved < 0.5 * system.nearest_move) {
+  const bool turn_ends = k - system.nearest_at >= kTurn;
+  if (turn_ends) system.bounds_stay = !system.bounds_stay;
+  if (turn_ends || moved < 0.5 * system.nearest_move) {
     system.nearest_move = moved;
     system.nearest_at = k;
   }

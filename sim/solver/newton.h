@@ -43,10 +43,11 @@ struct NewtonSystem {
 
   double damping;  // full steps went in circles: inertia of the matrix is raised by so many times itself
   int iterations;
-  bool curved;          // the matrix has ContactCurvature
-  bool bounds_stay;     // friction bounds are no unknowns
-  double nearest_move;  // shortest since that was decided; d̂
-  int nearest_at;       // iteration that came to half of what was the shortest before
+  bool curved;       // the matrix has ContactCurvature
+  bool bounds_stay;  // friction bounds are no unknowns
+  double
+      nearest_move;  // largest move of the iteration nearest_at, the last one that halved it or began a turn; d̂
+  int nearest_at;
 
   bool stuck;  // no step along the last direction lowered E
   SlidingTangent sliding;

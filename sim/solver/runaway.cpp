@@ -55,7 +55,7 @@ bool ran_away(const Problem& p, const Island& island, const Workers& workers, co
   const auto K_end = [&](Index i) {
     return kinetic_energy(model, i, it.pose[i].R, velocities.v[i], velocities.omega[i]);
   };
-  const double gained = workers.sum(island.bodies.size(), 0.0, memory.one, [&](std::size_t k) {
+  const double gained = workers.sum(island.bodies.size(), 0.0, memory.partial_sums, [&](std::size_t k) {
     const Index i = island.bodies[k];
     const bool lost = is_lost(it.pose[i].c, d_hat) || is_lost(p.params->h * velocities.v[i], d_hat);
     return lost ? kInfinity : K_end(i) - K_flight(i);

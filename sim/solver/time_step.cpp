@@ -185,12 +185,13 @@ void summarize(const Problem& p, const Workers& workers, StepMemory& m, const St
   if (options.report_joints) report_joints(p, m.iterate, end.joint_force, workers, report.joint_reports);
   if (options.report_bodies)
     report_bodies(p, m.islands, report.islands, m.iterate, m.solvers.sissm, report.body_reports);
-  const Vec3 energy = workers.sum(m.again.size(), Vec3(Vec3::Zero()), m.energy.three, [&](std::size_t k) {
-    const auto i = static_cast<Index>(k);
-    if (!p.movable(i) || m.again[i]) return Vec3(Vec3::Zero());
-    return Vec3(kinetic_energy(*p.model, i, end.R[i], end.v[i], end.omega[i]),
-                p.model->mass[i] * p.params->gravity.dot(end.c[i]), 0);
-  });
+  const Vec3 energy =
+      workers.sum(m.again.size(), Vec3(Vec3::Zero()), m.energy.partial_vectors, [&](std::size_t k) {
+        const auto i = static_cast<Index>(k);
+        if (!p.movable(i) || m.again[i]) return Vec3(Vec3::Zero());
+        return Vec3(kinetic_energy(*p.model, i, end.R[i], end.v[i], end.omega[i]),
+                    p.model->mass[i] * p.params->gravity.dot(end.c[i]), 0);
+      });
   report.kinetic += energy[0];
   report.potential -= energy[1];
 }
