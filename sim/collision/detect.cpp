@@ -268,37 +268,44 @@ void keep_deepest(std::size_t first, Contacts& out) {
   out.resize(first + 1);
 }
 
-// Contacts of a range of pairs.
-void collide_range(const Poses& poses, const std::vector<IndexPair>& skip, const BroadPhase& broad_phase,
-                   const IndexPair* begin, const IndexPair* end, const Stop& stop, Contacts& out) {
+// Contacts of the pairs [begin, end).
+void collide_range(const Poses& poses, const std::vector<IndexPair>& skip, CollisionWorkspace& workspace,
+                   std::size_t begin, std::size_t end, Contacts& out) {
   if (begin == end) return;
-  auto skipped = std::lower_bound(skip.begin(), skip.end(), *begin);
-  for (const IndexPair* pair = begin; pair != end; ++pair) {
-    if ((pair - begin) % 256 == 255 && stop.requested()) return;
-    while (skipped != skip.end() && *skipped < *pair) ++skipped;
-    if (skipped != skip.end() && *skipped == *pair) continue;
+  const std::vector<IndexPair>& pairs = workspace.pairs;
+  auto skipped = std::lower_bound(skip.begin(), skip.end(), pairs[begin]);
+  std::size_t next = 0;
+  for (std::size_t k = begin; k != end; ++k) {
+    const IndexPair& pair = pairs[k];
+    if ((k - begin) % 256 == 255 && workspace.stop.requested()) return;
+    while (skipped != skip.end() && *skipped < pair) ++skipped;
+    if (skipped != skip.end() && *skipped == pair) continue;
     const std::size_t first = out.size();
-    collide_pair(poses, pair->first, pair->second, out);
-    if (broad_phase.in_crowds(*pair)) keep_deepest(first, out);
+    const bool crowded = workspace.broad_phase.in_crowds(pair);
+    const auto kept = workspace.kept.find(pair, next);
+    if (kept && !crowded) {
+      out.insert(out.end(), kept->begin(), kept->end());
+    } else {
+      collide_pair(poses, pair.first, pair.second, out);
+      if (crowded) keep_deepest(first, out);
+    }
+    workspace.counts[k] = {static_cast<std::uint32_t>(out.size() - first), !crowded};
   }
 }
 
 void collide_all(const Poses& poses, const std::vector<IndexPair>& skip, int threads,
                  CollisionWorkspace& workspace, std::vector<ContactPoint>& out) {
-  const std::vector<IndexPair>& pairs = workspace.pairs;
+  const std::size_t pairs = workspace.pairs.size();
+  workspace.counts.assign(pairs, {});
   out.clear();
-  const IndexPair* first = pairs.data();
   constexpr std::size_t kPairs = 32;  // some ten microseconds
-  const std::size_t chunks = workspace.team.ranges(threads, pairs.size(), kPairs);
-  if (chunks == 1)
-    return collide_range(poses, skip, workspace.broad_phase, first, first + pairs.size(), workspace.stop,
-                         out);
+  const std::size_t chunks = workspace.team.ranges(threads, pairs, kPairs);
+  if (chunks == 1) return collide_range(poses, skip, workspace, 0, pairs, out);
   auto& partial = workspace.partial;
   if (partial.size() < chunks) partial.resize(chunks);
   workspace.team.for_each(threads, chunks, 1, [&](std::size_t k) {
     partial[k].clear();
-    collide_range(poses, skip, workspace.broad_phase, first + pairs.size() * k / chunks,
-                  first + pairs.size() * (k + 1) / chunks, workspace.stop, partial[k]);
+    collide_range(poses, skip, workspace, pairs * k / chunks, pairs * (k + 1) / chunks, partial[k]);
   });
   for (std::size_t k = 0; k < chunks; ++k) out.insert(out.end(), partial[k].begin(), partial[k].end());
 }
@@ -321,7 +328,9 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   const auto n = static_cast<std::size_t>(model.size());
   auto& boxes = workspace.boxes;
   boxes.resize(n);
+  workspace.kept.begin(model, c, R, passage, reach);
   workspace.team.for_each(threads, n, 64, [&](std::size_t i) {
+    if (workspace.kept.still(static_cast<Index>(i))) return;
     boxes[i] = bounds(model.shape[i], c[i], R[i]);
     boxes[i].lo.array() -= reach[i];
     boxes[i].hi.array() += reach[i];
@@ -344,6 +353,7 @@ void detect(const Model& model, const std::vector<Vec3>& c, const std::vector<Ma
   }
 
   collide_all(poses, skip, threads, workspace, out);
+  workspace.kept.end(pairs, workspace.counts, out);
   constexpr double kFlush = 0.1;  // of what touches
   remove_hidden(model, c, R, kFlush * passage.touching, workspace.by_body, out);
 }

@@ -7,6 +7,7 @@
 #include "sim/body/model.h"
 #include "sim/body/state.h"
 #include "sim/collision/broad_phase.h"
+#include "sim/collision/kept_points.h"
 #include "sim/collision/passage.h"
 #include "sim/math/stop.h"
 #include "sim/math/team.h"
@@ -27,12 +28,15 @@ struct ContactPoint {
   bool crowded = false;          // of two bodies in crowds: the only one of them
 };
 
-// Threads, bounds and pair lists kept between calls so that a warm call does not allocate.
+// Threads, bounds and pair lists kept between calls so that a warm call does not allocate, and points of what rests. A fresh
+// one gives the same bytes.
 struct CollisionWorkspace {
   Team team;
   std::vector<Aabb> boxes;
   BroadPhase broad_phase;
   std::vector<std::pair<Index, Index>> pairs, merged;
+  std::vector<PairCount> counts;  // of each pair
+  KeptPoints kept;
   std::vector<std::size_t> by_body;                // contacts of round bodies with flat ones
   std::vector<std::vector<ContactPoint>> partial;  // a bucket a chunk of pairs, joined in order
   Stop stop;                                       // detection ends early, with what it has

@@ -24,13 +24,13 @@ constexpr double kNearly = 1e-6;  // beside the height: what is at an end, a tip
 constexpr double kLean = 1e-5, kLeanOfSlope = 0.01;
 constexpr double kHalfFacet = kPi / kFacets;
 
-struct Side {
+struct RoundSide {
   const Placed<Shape>& body;
   const Frustum frustum;
   const Vec3 u;
   const double k;
 
-  explicit Side(const Placed<Shape>& solid)
+  explicit RoundSide(const Placed<Shape>& solid)
       : body(solid),
         frustum(frustum_of(solid.shape)),
         u(solid.R.col(1)),
@@ -137,7 +137,7 @@ bool is_round(const Placed<Shape>& body) {
 
 bool side_on_plane(const Placed<Shape>& plane, const Placed<Shape>& solid, double reach, Contacts& out) {
   if (!is_plane(plane.shape) || !is_round(solid)) return false;
-  const Side side(solid);
+  const RoundSide side(solid);
   const auto& [n, offset] = as<Plane>(plane.shape);
   const Vec3 out_of_axis = side.across(n);
   if (out_of_axis.norm() < kSide) return false;
@@ -156,16 +156,17 @@ void round_off(const Placed<Shape>& a, const Placed<Shape>& b, std::size_t start
   const bool both = is_round(a) && is_round(b);
   for (const Placed<Shape>* body : {&a, &b}) {
     if (!is_round(*body) || both) continue;
-    const Side side(*body);
+    const RoundSide side(*body);
     for (std::size_t k = start; k < out.size(); ++k)
       if (out[k].a == body->number) side.turn_plane(out[k]);
   }
   for (const Placed<Shape>* body : {&a, &b}) {
     if (!is_round(*body)) continue;
-    const Side side(*body);
+    const RoundSide side(*body);
     const Placed<Shape>& owner = body == &a ? b : a;
     const auto is_face = [&](const Vec3& n) {
-      return std::visit(HasFace{owner.R.transpose() * n}, owner.shape) || (both && Side(owner).is_of_side(n));
+      return std::visit(HasFace{owner.R.transpose() * n}, owner.shape) ||
+             (both && RoundSide(owner).is_of_side(n));
     };
     const auto stays = [&](ContactPoint& p) {
       if (p.b != body->number) return true;
@@ -185,7 +186,7 @@ void round_off(const Placed<Shape>& a, const Placed<Shape>& b, std::size_t start
   }
   if (!both) return;
   // Between two round sides: now that one axis is known, the other's plane, and its point again.
-  const Side sides[] = {Side(a), Side(b)};
+  const RoundSide sides[] = {RoundSide(a), RoundSide(b)};
   for (std::size_t k = start; k < out.size(); ++k) {
     ContactPoint& p = out[k];
     const bool second_owns = p.a == b.number;

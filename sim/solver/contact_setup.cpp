@@ -2,6 +2,7 @@
 #include "sim/solver/contact_setup.h"
 
 #include <algorithm>
+#include <atomic>
 #include <tuple>
 
 #include "sim/body/shape_kind.h"
@@ -218,15 +219,49 @@ PABD_EACH_LEVEL void make_manifold(const Problem& p, const Passage& from, const 
   manifold.start_d = larger(manifold.start_d, lanes(least));
 }
 
+// Are these the points of a manifold of the last step? Precondition: their bodies are still (collision/kept_points.h), so that
+// a point of the same name is the same.
+bool has_points(const ContactManifold& made, const ContactPoint* point, const ContactPoint* end) {
+  if (made.a != point->a || made.b != point->b || made.count != end - point || made.crowded != point->crowded)
+    return false;
+  return std::equal(point, end, made.feature, [](const ContactPoint& p, std::uint32_t feature) {
+    return owned_feature(p.a, p.b, p.feature) == feature;
+  });
+}
+
+// Where in the last step the manifolds of bodies that are still may stand; both lists are sorted.
+void find_made(const KeptPoints& kept, Detection& found) {
+  found.made_at.assign(found.first_point.size() - 1, SIZE_MAX);
+  if (!kept.any_still()) found.made.clear();
+  const auto key = [](const auto& of) { return pair_key(of.a, of.b); };
+  std::size_t at = 0;
+  for (std::size_t k = 0; k < found.made_at.size() && at < found.made.size(); ++k) {
+    const ContactPoint& point = found.points[found.first_point[k]];
+    while (at < found.made.size() && key(found.made[at]) < key(point)) ++at;
+    if (at < found.made.size() && key(found.made[at]) == key(point) && kept.still({point.a, point.b}))
+      found.made_at[k] = at++;  // those of one pair come in the same order
+  }
+}
+
 void make_manifolds(const Problem& p, const Workers& workers, const Passage& from, Detection& found,
                     std::vector<ContactManifold>& out) {
   sort_points(found.points);
   cut(found.points, found.first_point);
+  find_made(found.collision.kept, found);
   out.resize(found.first_point.size() - 1);
+  std::atomic<bool> all_kept = out.size() == found.made.size();
   workers.for_each(out.size(), [&](std::size_t k) {
     const ContactPoint* points = found.points.data();
-    make_manifold(p, from, points + found.first_point[k], points + found.first_point[k + 1], out[k]);
+    const ContactPoint *point = points + found.first_point[k], *end = points + found.first_point[k + 1];
+    const std::size_t made = found.made_at[k];
+    if (made != SIZE_MAX && has_points(found.made[made], point, end)) {
+      out[k] = found.made[made];
+    } else {
+      make_manifold(p, from, point, end, out[k]);
+      all_kept.store(false, std::memory_order_relaxed);
+    }
   });
+  if (found.collision.kept.any_still() && !all_kept) found.made = out;
 }
 
 }  // namespace

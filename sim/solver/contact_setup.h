@@ -16,6 +16,8 @@ struct Detection {
   std::vector<double> spin, reach;  // m
   std::vector<ContactPoint> points;
   std::vector<std::size_t> first_point;  // of each manifold, and their number
+  std::vector<ContactManifold> made;     // those of the last step as they were made, if any body rests
+  std::vector<std::size_t> made_at;      // per manifold: its place among them, where it may be the same
 };
 
 // The law of all contacts of a step.

@@ -8,9 +8,12 @@
 #include "sim/solver/step_memory.h"
 #include "sim/solver/time_step.h"
 #include "sim/solver/workers.h"
+#include "tests/solver/same_report.h"
 #include "tests/support/places.h"
 
 namespace pabd::test_determinism {
+
+using test::require_same;
 
 namespace {
 
@@ -36,30 +39,6 @@ Outcome run(const Scene& scene, SolverMethod method, int threads, int steps) {
     out.reports.push_back(std::move(report));
   }
   return out;
-}
-
-void require_same(const StepReport& a, const StepReport& b) {
-  CHECK(a.method == b.method);
-  CHECK(a.status == b.status);
-  CHECK(a.iterations == b.iterations);
-  CHECK(a.contacts == b.contacts);
-  const auto same = [](double x, double y) { return x == y || (x != x && y != y); };
-  CHECK(same(a.kinetic, b.kinetic));
-  CHECK(same(a.potential, b.potential));
-  CHECK(same(a.elastic, b.elastic));
-  CHECK(same(a.min_gap, b.min_gap));
-  CHECK(same(a.max_joint_error, b.max_joint_error));
-  CHECK(same(a.residual, b.residual));
-  REQUIRE(a.records.size() == b.records.size());
-  for (std::size_t k = 0; k < a.records.size(); ++k) CHECK(same(a.records[k].energy, b.records[k].energy));
-  REQUIRE(a.contact_reports.size() == b.contact_reports.size());
-  for (std::size_t k = 0; k < a.contact_reports.size(); ++k) {
-    CHECK(same(a.contact_reports[k].d, b.contact_reports[k].d));
-    CHECK(a.contact_reports[k].friction == b.contact_reports[k].friction);
-  }
-  REQUIRE(a.joint_reports.size() == b.joint_reports.size());
-  for (std::size_t k = 0; k < a.joint_reports.size(); ++k)
-    CHECK(a.joint_reports[k].force == b.joint_reports[k].force);
 }
 
 }  // namespace
