@@ -63,6 +63,10 @@ Verdict judge_island(const Problem& p, std::size_t k, const Workers& workers, St
     outcome.status = StepStatus::non_finite;
     return halves ? Verdict::again : Verdict::fails;
   }
+  if (outcome.rests()) {
+    if (remembers(p)) m.second_order.gained[k] = gained_before(p, island.bodies.front());
+    return Verdict::stays;
+  }
   if (remembers(p) && halves && ends_broken_in(p, island, m.iterate)) {
     m.second_order.gained[k] = gained_before(p, island.bodies.front());  // at most
     return Verdict::again;

@@ -34,30 +34,72 @@ void set_apart(const ContactManifold& manifold, const ContactState& state, const
   }
 }
 
+// What a manifold feels at the iterate.
+struct Felt {
+  ContactState state;
+  ContactForce f;
+  Lanes u, alpha_t;
+  TurnOnBody turn_a;
+  bool active;
+};
+[[gnu::always_inline]] inline Felt feel(const ContactLaw& law, const Iterate& it,
+                                        const ContactManifold& manifold) {
+  Felt out;
+  out.state = state_of(it, manifold);
+  out.f = normal_force(law.barrier, manifold, out.state.d);
+  out.u = length(out.state.u);
+  out.alpha_t = friction_weight(law, manifold.limit, out.u);
+  out.turn_a = turn_on_body(law, manifold, -1, it);
+  // What is no number must not be passed over.
+  out.active = !(sum(out.f.alpha_n) + sum(out.alpha_t) + out.turn_a.H_ww.trace() <= 0);
+  return out;
+}
+
+// How much less sliding contacts weigh along the slip.
+[[gnu::always_inline]] inline Lanes less_along(const ContactLaw& law, const ContactManifold& manifold,
+                                               const Felt& felt) {
+  return select(law.k_t * felt.u > manifold.limit, (1 - manifold.along) * felt.alpha_t, lanes(0));
+}
+
+template <class Out>
+[[gnu::always_inline]] inline void set_gradients(const ContactLaw& law, const Iterate& it,
+                                                 const ContactManifold& manifold, const Felt& felt,
+                                                 const ContactLevers& on_a, Out& out) {
+  const ContactLevers on_b = levers_on_b(felt.state, it.pose[manifold.a], it.pose[manifold.b]);
+  const TurnOnBody turn_b = turn_on_body(law, manifold, 1, it);
+  const Vec3x push = felt.f.first * felt.state.n, drag = felt.alpha_t * felt.state.u;
+  const Vec3 force = sum(push + drag);
+  out.g_a = -wrench(force, sum(cross(on_a.normal, push) + cross(on_a.surface, drag)));
+  out.g_b = wrench(force, sum(cross(on_b.normal, push) + cross(on_b.surface, drag)));
+  out.g_a.template tail<3>() += felt.turn_a.g_w;
+  out.g_b.template tail<3>() += turn_b.g_w;
+}
+
 }  // namespace
+
+PABD_EACH_LEVEL ManifoldPush push_of(const ContactLaw& law, const Iterate& it,
+                                     const ContactManifold& manifold) {
+  const Felt felt = feel(law, it, manifold);
+  ManifoldPush out;
+  out.active = felt.active;
+  if (!out.active) return out;
+  set_gradients(law, it, manifold, felt, levers_on_a(manifold, felt.state, it.pose[manifold.a]), out);
+  out.hold = sum(felt.f.alpha_n + 2 * felt.alpha_t - less_along(law, manifold, felt));
+  return out;
+}
 
 PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& it,
                                          const ContactManifold& manifold, NormalWeight weight) {
   LinearManifold out;
-  const Pose &a = it.pose[manifold.a], &b = it.pose[manifold.b];
-  const ContactState state = state_of(it, manifold);
-  const ContactForce f = normal_force(law.barrier, manifold, state.d);
-  const Lanes u = length(state.u);
-  const Lanes alpha_t = friction_weight(law, manifold.limit, u);
-  const TurnOnBody turn_a = turn_on_body(law, manifold, -1, it), turn_b = turn_on_body(law, manifold, 1, it);
+  const Felt felt = feel(law, it, manifold);
+  const auto& [state, f, u, alpha_t, turn_a, active] = felt;
   out.energy = sum(f.value + friction_energy(law, manifold.limit, u)) + turn_a.energy;
-  // What is no number must not be passed over.
-  out.active = !(sum(f.alpha_n) + sum(alpha_t) + turn_a.H_ww.trace() <= 0);
+  out.active = active;
   if (!out.active) return out;
   const Lanes alpha_n = weight == NormalWeight::exact ? larger(f.second, lanes(0)) : f.alpha_n;
-
-  const ContactLevers on_a = levers_on_a(manifold, state, a), on_b = levers_on_b(state, a, b);
-  const Vec3x push = f.first * state.n, drag = alpha_t * state.u;
-  const Vec3 force = sum(push + drag);
-  out.g_a = -wrench(force, sum(cross(on_a.normal, push) + cross(on_a.surface, drag)));
-  out.g_b = wrench(force, sum(cross(on_b.normal, push) + cross(on_b.surface, drag)));
-  out.g_a.tail<3>() += turn_a.g_w;
-  out.g_b.tail<3>() += turn_b.g_w;
+  const Pose &a = it.pose[manifold.a], &b = it.pose[manifold.b];
+  const ContactLevers on_a = levers_on_a(manifold, state, a);
+  set_gradients(law, it, manifold, felt, on_a, out);
 
   // Rows of H: Σ α_t (J_sᵀ J_s) at the surface points, and rank one along the normals.
   const Vec3x& r = on_a.surface;
@@ -84,8 +126,7 @@ PABD_EACH_LEVEL LinearManifold linearize(const ContactLaw& law, const Iterate& i
     const Lanes normal = alpha_n * row[c], tangent = alpha_t * slip[c];
     for (int k = c; k < 6; ++k) H(k, c) += sum(normal * row[k] - tangent * slip[k]);
   }
-  // Sliding contacts: less along the slip.
-  const Lanes less = select(law.k_t * u > manifold.limit, (1 - manifold.along) * alpha_t, lanes(0));
+  const Lanes less = less_along(law, manifold, felt);
   if (sum(less) > 0) {
     const Vec3x t = (1 / select(u > 0, u, lanes(1))) * state.u, t_arm = cross(r, t);
     const Lanes along[6] = {t.x, t.y, t.z, t_arm.x, t_arm.y, t_arm.z};

@@ -68,7 +68,7 @@ struct LinearManifold {
   bool active;    // else nothing pushes, and H and the gradients are not set
   bool apart;     // each body has points of its own
   double energy;  // J
-  Vec6 g_a, g_b;  // (N, N m)
+  Vec6 g_a, g_b;  // of the energy; (N, N m)
   Mat6 H;
   Mat6 apart_b, apart_ba;  // where they are apart: with J of b on both sides, and on the left side only
   NormalRows normal;
@@ -81,6 +81,14 @@ struct LinearManifold {
 bool pushes(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold);
 LinearManifold linearize(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold,
                          NormalWeight weight = NormalWeight::majorising);
+
+// The gradients of a manifold alone, and the trace of H's weight of moves; N/m.
+struct ManifoldPush {
+  bool active;  // else the rest is not set
+  Vec6 g_a, g_b;
+  double hold;
+};
+ManifoldPush push_of(const ContactLaw& law, const Iterate& it, const ContactManifold& manifold);
 
 // Its geometric stiffness: forces F on b act at points r that turn with their body, and a plane turns with a. Rolling left
 // out.

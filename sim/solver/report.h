@@ -72,6 +72,9 @@ struct IslandReport {
   double friction_error =
       0;  // of a step at the iteration limit: how far a friction force is from Coulomb's law, as a
           // share of μ f_n or of μ times the lighter body's weight
+
+  // Did its bodies stay where they were, without an iteration (rest.h)?
+  bool rests() const { return status == StepStatus::converged && iterations == 0; }
 };
 
 // Wall clock; ms. The first four add up to the total of a step that was made.

@@ -32,18 +32,17 @@ PABD_EACH_LEVEL void find_gradient(const Problem& p, const Island& island, RestM
   }
   for (const Index k : island.manifolds) {
     ContactManifold& manifold = it.manifold[k];
-    const LinearManifold linear = linearize(p.law, it, manifold);
-    if (!linear.active) continue;
+    const ManifoldPush push = push_of(p.law, it, manifold);
+    if (!push.active) continue;
     manifold.felt = true;
-    const double hold = linear.H.topLeftCorner<3, 3>().trace();
     const Index a = island.row[manifold.a], b = island.row[manifold.b];
     if (a >= 0) {
-      m.g[a] += linear.g_a;
-      m.hold[a] += hold;
+      m.g[a] += push.g_a;
+      m.hold[a] += push.hold;
     }
     if (b >= 0) {
-      m.g[b] += linear.g_b;
-      m.hold[b] += hold;
+      m.g[b] += push.g_b;
+      m.hold[b] += push.hold;
     }
   }
 }
