@@ -19,6 +19,7 @@ constexpr int kBisections = 10;
 
 // W of one joint; J.
 double drive_work_of(const Problem& p, const Iterate& it, Index k) {
+  if (!p.works[k]) return 0;
   const Joint& joint = p.joints[k];
   double work = action_work(p, it, k);
   if (!joint.drive && !joint.turn) return work;
@@ -47,7 +48,8 @@ bool drives(const Joint& joint) { return joint.drive || joint.turn || (joint.act
 // its force is counted by ½ φ² r.
 double turning_work(const Problem& p, const Iterate& it, std::span<const Index> joints,
                     const Velocities& velocities) {
-  if (std::none_of(joints.begin(), joints.end(), [&](Index k) { return drives(p.joints[k]); })) return 0;
+  const auto works = [&](Index k) { return p.works[k] && drives(p.joints[k]); };
+  if (std::none_of(joints.begin(), joints.end(), works)) return 0;
   const double h = p.params->h;
   double work = 0;
   BondList list;

@@ -51,7 +51,8 @@ IterationRecord record(const Problem& p, const Island& island, const Iterate& it
   r.energy = incremental_potential(p, island, it);
   r.min_gap_after = r.min_gap_before = smallest_gap(island, it);
   r.max_penetration_after = r.max_penetration_before = larger(0, -r.min_gap_after);
-  for (const Index k : island.joints) r.max_joint_error = larger(r.max_joint_error, joint_error(p, it, k));
+  for (const Index k : island.joints)
+    r.max_joint_error = larger(r.max_joint_error, result_of_joint(p, it, k).error);
   return r;
 }
 

@@ -101,11 +101,12 @@ double energy_of_joint(const Problem& p, const Iterate& it, Index k, double time
   return energy_of(p.law_of(k), list) + coupling_energy_of_joint(p, it, k);
 }
 
-double joint_error(const Problem& p, const Iterate& it, Index k) {
+namespace {
+
+// The largest of its bonds, which are `list`; m.
+double error_of(const Problem& p, const Iterate& it, Index k, const BondList& list) {
   const Joint& joint = p.joints[k];
   if (traits_of(joint.type).points && joint.law.potential == BondPotential::soft) return 0;  // a spring
-  BondList list;
-  expand_held(p, it, k, p.time, list);
   double largest = 0;
   for (int b = 0; b < list.count; ++b) largest = larger(largest, evaluate(joint.law, list.bond[b]).stretch);
   if (const Index n = coupling_of(p, k); n >= 0) {
@@ -114,6 +115,14 @@ double joint_error(const Problem& p, const Iterate& it, Index k) {
         larger(largest, coupled_measure(joint)->of == JointMeasure::Of::angle ? joint.arm * error : error);
   }
   return largest;
+}
+
+}  // namespace
+
+JointResult result_of_joint(const Problem& p, const Iterate& it, Index k) {
+  BondList list;
+  expand_held(p, it, k, p.time, list);
+  return {energy_of(p.law_of(k), list) + coupling_energy_of_joint(p, it, k), error_of(p, it, k, list)};
 }
 
 }  // namespace pabd

@@ -54,7 +54,11 @@ double potential_of_joint(const Problem& p, const Iterate& it, Index k);
 double energy_of_joint(const Problem& p, const Iterate& it, Index k);
 double energy_of_joint(const Problem& p, const Iterate& it, Index k, double time);
 
-// Largest distance between points of joint k that should coincide, those of what it follows with them; m. 0 for a spring.
-double joint_error(const Problem& p, const Iterate& it, Index k);
+// The same energy, and the largest distance between points of joint k that should coincide, those of what it follows with them;
+// m. 0 for a spring.
+struct JointResult {
+  double energy, error;
+};
+JointResult result_of_joint(const Problem& p, const Iterate& it, Index k);
 
 }  // namespace pabd

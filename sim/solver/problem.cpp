@@ -54,15 +54,18 @@ bool manifolds_stay(const Iterate& it, BodyPairs& last) {
 bool list_bonds(Problem& p, const Iterate& it, BondGraph& last) {
   const auto bodies = p.model->shape.size();
   p.joint_ends.clear();
+  p.works.clear();
   p.acting.clear();
   p.followers.clear();
   for (const Joint& joint : p.joints.model) {
     const auto number = static_cast<Index>(p.joint_ends.size());
+    p.works.push_back(joint.action || joint.drive || joint.turn);
     if (joint.action) p.acting.push_back(number);
     if (joint.follows) p.followers.push_back(number);
     p.joint_ends.emplace_back(joint.i, joint.j);
   }
   for (const Joint& joint : p.joints.pulls) p.joint_ends.emplace_back(joint.i, joint.j);
+  p.works.resize(p.joint_ends.size(), 0);
   bool same = stays(bodies, last.bodies);
   same = stays(p.joints.model.size(), last.model_joints) && same;
   same = stays(p.model->fixed, last.fixed) && same;

@@ -53,7 +53,9 @@ struct Problem {
   RowList<ManifoldEnd> ends;        // per body: manifolds that end there
   RowList<Index> joints_at;         // per body: joints that end there
   BodyPairs joint_ends;             // of each joint: a joint itself takes some hundred bytes
-  std::vector<Index> acting;        // joints with an action
+  std::vector<std::uint8_t>
+      works;                  // per joint: may it do work, by a drive or an action? Reading joints takes long
+  std::vector<Index> acting;  // joints with an action
   std::vector<Index> action_at;     // per joint: place among them, or −1; empty where there are none
   std::vector<Index> followers;     // joints that follow others; the number of a coupling is its place here
   std::vector<Index> following;     // per joint: its coupling, or −1; empty where there are none

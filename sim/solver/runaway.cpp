@@ -19,7 +19,7 @@ bool is_lost(const Vec3& x, double d_hat) {
 
 double widest_opening(const Problem& p, const Island& island, const Iterate& it) {
   double widest = 0;
-  for (const Index k : island.joints) widest = std::max(widest, joint_error(p, it, k));
+  for (const Index k : island.joints) widest = std::max(widest, result_of_joint(p, it, k).error);
   for (const Index k : island.manifolds) {
     const ContactState state = state_of(it, it.manifold[k]);
     for (int j = 0; j < it.manifold[k].count; ++j) widest = std::max(widest, std::abs(state.d[j]));

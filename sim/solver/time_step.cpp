@@ -177,8 +177,8 @@ void summarize(const Problem& p, const Workers& workers, StepMemory& m, const St
   summarize_contacts(p, m.iterate, options.report_contacts, report);
   const JointSum joints = workers.sum(m.reported_joints.size(), JointSum{}, m.joint_sums, [&](std::size_t n) {
     const Index k = m.reported_joints[n];
-    return JointSum{energy_of_joint(p, m.iterate, k) + spring_energy(p, m.iterate, k),
-                    joint_error(p, m.iterate, k)};
+    const JointResult joint = result_of_joint(p, m.iterate, k);
+    return JointSum{joint.energy + spring_energy(p, m.iterate, k), joint.error};
   });
   report.elastic += joints.elastic;
   report.max_joint_error = larger(report.max_joint_error, joints.error);
