@@ -15,6 +15,9 @@ namespace pabd::device {
 inline constexpr std::uint32_t kLevels = 16, kColors = 128;
 inline constexpr std::uint32_t kShares = 3, kSweepLists = kShares * kColors;  // as in device_layout.glsl
 inline constexpr std::uint32_t kTwoKinds = kDeviceShapes * kDeviceShapes;     // of shapes, in either order
+// Of the narrow phase (shaders/device_lists.glsl): most pairs need one, fast ones some more, in steps along their way.
+inline constexpr std::uint32_t kRounds = 6;
+inline constexpr std::uint32_t kPairLists = 2 * kRounds + 1;
 
 // Those that barrier_sum of shaders/device_barrier.glsl knows. Any other one is refused.
 inline constexpr std::array kDeviceBarriers = {BarrierKind::polynomial, BarrierKind::even,
@@ -106,12 +109,13 @@ struct Counters {
   std::uint32_t kept;
   std::uint32_t touched, unsolved, unsettled_contacts, late;
   std::uint32_t touch_size[kTwoKinds], touch_first[kTwoKinds], touch_next[kTwoKinds];
+  std::uint32_t again_size[2 * kRounds * kTwoKinds];
   std::uint32_t width[6], opening, fastest;
   double gained;
   double stored, rise;
   double kinetic, potential, elastic;
 };
-static_assert(sizeof(Counters) == 5280);
+static_assert(sizeof(Counters) == 7008);
 
 struct BodyKind {
   double J[6];

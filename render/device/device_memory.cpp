@@ -35,7 +35,7 @@ void DeviceStep::make_body_buffers() {
   buffers.make(Slot::end_first, (n + 1) * sizeof(std::uint32_t));
   buffers.make(Slot::color_of, n * sizeof(std::uint32_t));
   buffers.make(Slot::order, n * sizeof(std::uint32_t));
-  buffers.make(Slot::arguments, (kSweepLists + kTwoKinds) * 16);
+  buffers.make(Slot::arguments, (kSweepLists + kPairLists * kTwoKinds) * 16);
   buffers.make(Slot::cursors, std::max<std::size_t>(n, buckets_) * sizeof(std::uint32_t));
   buffers.make(Slot::steps, n * 2 * vec4());
   buffers.make(Slot::outcomes, n * 4 * vec4());
@@ -56,7 +56,7 @@ void DeviceStep::make_body_buffers() {
 void DeviceStep::make_pair_buffers(std::uint32_t room) {
   pair_room_ = room;
   buffers.make(Slot::pairs, room * pair_size(precision_));
-  buffers.make(Slot::touching, room * sizeof(std::uint32_t));
+  buffers.make(Slot::touching, (kRounds + 2) * std::size_t{room} * sizeof(std::uint32_t));
   buffers.make(Slot::contact_first, (std::size_t{room} + 1) * sizeof(std::uint32_t));
   buffers.make(
       Slot::sums,

@@ -49,8 +49,8 @@ class Compiler {
                            static_cast<unsigned>(Slot::shapes), static_cast<unsigned>(Slot::hulls));
     common_ += fmt::format("#define FEW {}u\n#define CROWD {}u\n", sharing.few, sharing.crowd);
     common_ += fmt::format("#define TOUCH_GROUP {}u\n", kTouchGroup);
-    common_ += fmt::format("#define SHAPE_KINDS {}u\n#define TWO_KINDS {}u\n",
-                           static_cast<int>(kDeviceShapes), kTwoKinds);
+    common_ += fmt::format("#define SHAPE_KINDS {}u\n#define TWO_KINDS {}u\n#define ROUNDS {}u\n",
+                           static_cast<int>(kDeviceShapes), kTwoKinds, kRounds);
     common_ += fmt::format(
         "#define UNSOLVED real({}lf)\n#define UNSETTLED real({}lf)\n#define SHARE {}\n#define RISE {}lf\n",
         kUnsolved, kUnsettledSweeps, kShareLeft, single ? kRiseOfFloats : kRise);
@@ -84,9 +84,45 @@ ComputeProgram lists_of_contacts(const Compiler& compile, const std::string& mor
 }
 
 std::vector<ShaderPart> with_touch(std::vector<ShaderPart> narrow) {
-  narrow.insert(narrow.begin(), {shaders::device_kept, shaders::device_gap});
-  narrow.push_back(shaders::device_touch);
+  using namespace shaders;
+  narrow.insert(narrow.begin(), {device_kept, device_gap, device_lists});
+  narrow.insert(narrow.end(), {device_look, device_touch});
   return narrow;
+}
+
+constexpr auto kOfPairs = {"COUNTERS", "KINDS",         "POSES",    "FLIGHTS",  "PAIRS",
+                           "RAW",      "CONTACT_FIRST", "GEOMETRY", "TOUCHING", "OUTCOMES"};
+
+// The others are looked at by their touch program alone: compounds have too many contacts, and facets that are turned in
+// one program may be turned otherwise in another, where two ways are as good.
+bool has_find(int second, bool solids) { return second < (solids ? kDeviceHull : kDeviceCompound); }
+
+// Those that define may_touch().
+bool has_near(int first, int second) {
+  return second == kDeviceHull ? first == kDeviceBox || first == kDeviceHull
+                               : first == kDeviceBox && second == kDeviceBox;
+}
+
+std::vector<Programs::Find> find_programs(const ComputeFunctions& gl, const Compiler& compile,
+                                          const std::set<int>& shapes, bool solids, bool near) {
+  using namespace shaders;
+  std::vector<Programs::Find> out;
+  for (const int first : shapes) {
+    for (const int second : shapes) {
+      std::vector<ShaderPart> parts = narrow_parts(first, second, solids);
+      if (second < first || parts.empty() || !has_find(second, solids)) continue;
+      if (near && !has_near(first, second)) continue;
+      const auto two = static_cast<std::uint32_t>(kDeviceShapes * first + second);
+      ComputeProgram program =
+          compile(near ? "who is near" : "what touches", kOfPairs,
+                  fmt::format("#define KINDS_HERE {}\n{}", two, near ? "#define NEAR\n" : ""),
+                  with_touch(parts), device_find_comp, kTouchGroup);
+      const GLint list = gl.GetUniformLocation(program.id(), "list_"),
+                  round = gl.GetUniformLocation(program.id(), "round_");
+      out.push_back({two, std::move(program), list, round, !near && has_near(first, second)});
+    }
+  }
+  return out;
 }
 
 std::vector<Programs::Touch> touch_programs(const ComputeFunctions& gl, const Compiler& compile,
@@ -101,11 +137,12 @@ std::vector<Programs::Touch> touch_programs(const ComputeFunctions& gl, const Co
           compile("contacts of a pair",
                   {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST", "GEOMETRY",
                    "TOUCHING", "OUTCOMES", "CONTACTS"},
-                  fmt::format("#define KINDS_HERE {}\n", two), with_touch(narrow),
+                  fmt::format("#define KINDS_HERE {}\n#define MAY_BE_LATE\n", two), with_touch(narrow),
                   second == kDeviceCompound ? shaders::device_touch_parts_comp : shaders::device_touch_comp,
                   kTouchGroup);
-      const GLint late = gl.GetUniformLocation(program.id(), "late_");
-      out.push_back({two, std::move(program), late});
+      const GLint list = gl.GetUniformLocation(program.id(), "list_"),
+                  late = gl.GetUniformLocation(program.id(), "late_");
+      out.push_back({two, std::move(program), list, late, !has_find(second, solids)});
     }
   }
   return out;
@@ -136,7 +173,7 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
   };
   const auto sort = [&](const char* pass) {
     return compile("pairs by kinds", {"COUNTERS", "KINDS", "PAIRS", "ARGUMENTS", "TOUCHING"},
-                   std::string("#define ") + pass + "\n", {}, device_sort_pairs_comp);
+                   std::string("#define ") + pass + "\n", {device_lists}, device_sort_pairs_comp);
   };
   const auto pairs = [&](const char* more) {
     return compile("pairs", {"COUNTERS", "KINDS", "BOUNDS", "CELLS", "PAIR_FIRST", "PAIRS", "PLANES"}, more,
@@ -156,7 +193,12 @@ Programs make_programs(const ComputeFunctions& gl, Precision precision, const Sh
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACT_FIRST", "GEOMETRY",
                         "KEPT_PAIRS", "KEPT_FEATURE"},
                        "", {device_kept, device_memory, device_gap}, device_reuse_comp),
-      .sort_pairs = {sort("COUNT"), sort("STARTS"), sort("LISTS")},
+      .sort_pairs = {sort("COUNT"), sort("STARTS"), sort("LISTS"), sort("AGAIN")},
+      .near = find_programs(gl, unshared, shapes, table.has_solids, true),
+      .find = find_programs(gl, unshared, shapes, table.has_solids, false),
+      .judge = unshared("contacts that count", kOfPairs, "",
+                        with_touch({shape_table, narrow_common, pair_common, narrow_again, narrow_measured}),
+                        device_judge_comp),
       .touch = touch_programs(gl, unshared, shapes, table.has_solids),
       .place = compile("contacts",
                        {"COUNTERS", "KINDS", "POSES", "FLIGHTS", "PAIRS", "RAW", "CONTACTS", "CONTACT_FIRST",

@@ -34,16 +34,26 @@ struct Programs {
     ComputeProgram check, take, round, sizes, starts, lists;
   };
   struct Sort {
-    ComputeProgram count, starts, lists;
+    ComputeProgram count, starts, lists, again;
+  };
+  // Of two kinds of shapes: kDeviceShapes · lower + higher.
+  struct Find {
+    std::uint32_t kinds;
+    ComputeProgram program;
+    GLint list, round;  // places of uniforms: device_lists.glsl
+    bool sifted;        // it looks at those that `near` found near each other
   };
   struct Touch {
-    std::uint32_t kinds;  // of the shapes: kDeviceShapes · lower + higher
+    std::uint32_t kinds;
     ComputeProgram program;
-    GLint late;  // place of a uniform: device_touch.glsl
+    GLint list, late;  // places of uniforms: device_lists.glsl, device_look.glsl
+    bool alone;        // there is no Find of these
   };
   ComputeProgram clear, fly, scatter, count_pairs, list_pairs;
   ComputeProgram reuse;
   Sort sort_pairs;
+  std::vector<Find> near, find;
+  ComputeProgram judge;
   std::vector<Touch> touch;  // one a pair of kinds of shapes
   ComputeProgram place, fill_ends, sort_ends;
   Scan scan;

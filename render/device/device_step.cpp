@@ -30,6 +30,11 @@ Sharing sharing_for(const Model& model, const DeviceOptions& options) {
   return out;
 }
 
+// Where a dispatch of a list of pairs has its arguments (shaders/device_lists.glsl).
+GLintptr arguments_of_list(std::uint32_t list, std::uint32_t kinds) {
+  return static_cast<GLintptr>(16 * (kSweepLists + list * kTwoKinds + kinds));
+}
+
 // Of bodies: their parts have rows too.
 std::set<int> shapes_of(const ShapeTable& table) {
   std::set<int> out;
@@ -161,7 +166,32 @@ void DeviceStep::find_contacts() {
   dispatch(programs_.sort_pairs.count, groups(pair_room_, kGroup));
   dispatch(programs_.sort_pairs.starts, 1);
   dispatch(programs_.sort_pairs.lists, groups(pair_room_, kGroup));
+  for (std::uint32_t round = 0; round < kRounds; ++round) {
+    if (!programs_.near.empty()) {
+      find(programs_.near, round);
+      set(programs_.sort_pairs.again, "list_", kRounds + 1 + round);
+      dispatch(programs_.sort_pairs.again, 1);
+    }
+    find(programs_.find, round);
+    set(programs_.judge, "round_", round);
+    dispatch(programs_.judge, groups(pair_room_, kGroup));
+    set(programs_.sort_pairs.again, "list_", round + 1);
+    dispatch(programs_.sort_pairs.again, 1);
+  }
   touch(false);
+}
+
+void DeviceStep::find(const std::vector<Programs::Find>& programs, std::uint32_t round) {
+  gl.BindBuffer(GL_DISPATCH_INDIRECT_BUFFER, buffers.id(Slot::arguments));
+  gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT);
+  for (const Programs::Find& find : programs) {  // none sees what another one writes
+    const std::uint32_t list = find.sifted ? kRounds + 1 + round : round;
+    find.program.use();
+    gl.Uniform1ui(find.list, list);
+    gl.Uniform1ui(find.round, round);
+    gl.DispatchComputeIndirect(arguments_of_list(list, find.kinds));
+  }
+  gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }
 
 void DeviceStep::touch(bool late) {
@@ -169,8 +199,10 @@ void DeviceStep::touch(bool late) {
   gl.MemoryBarrier(GL_COMMAND_BARRIER_BIT);
   for (const Programs::Touch& touch : programs_.touch) {  // none sees what another one writes
     touch.program.use();
+    const std::uint32_t list = late || touch.alone ? 0 : kRounds;
+    gl.Uniform1ui(touch.list, list);
     gl.Uniform1ui(touch.late, late ? 1 : 0);
-    gl.DispatchComputeIndirect(static_cast<GLintptr>(16 * (kSweepLists + touch.kinds)));
+    gl.DispatchComputeIndirect(arguments_of_list(list, touch.kinds));
   }
   gl.MemoryBarrier(GL_SHADER_STORAGE_BARRIER_BIT);
 }

@@ -60,6 +60,7 @@ class DeviceStep {
   void scan(Slot slot, std::size_t count);
   void find_pairs();
   void find_contacts();
+  void find(const std::vector<Programs::Find>& programs, std::uint32_t round);
   void touch(bool late);  // late: overlap where the step ends, that it has no contact for
   void list_ends();
   void color_bodies();

@@ -69,7 +69,7 @@ AT(20) buffer Order { uint order[]; };      // bodies by list
 AT(21) buffer Arguments { uvec4 arguments[]; };  // of indirect dispatch: a list, then two kinds of shapes
 #endif
 #ifdef USES_TOUCHING
-AT(39) buffer Touching { uint touching[]; };  // pairs by their kinds
+AT(39) buffer Touching { uint touching[]; };  // lists of pairs: device_lists.glsl
 #endif
 #ifdef USES_CURSORS
 AT(22) buffer Cursors { uint cursor[]; };  // where the next of a list goes

@@ -126,6 +126,7 @@ struct Counters {
   uint touched, unsolved, unsettled_contacts;
   uint late;  // overlaps where the step ends that it has no contact for
   uint touch_size[TWO_KINDS], touch_first[TWO_KINDS], touch_next[TWO_KINDS];  // pairs of two kinds, SHAPE_KINDS i + j
+  uint again_size[2u * ROUNDS * TWO_KINDS];  // of them, in the lists that follow: device_lists.glsl
   // Of bodies in touch, to tell a step that ran away (sim/solver/runaway.h). Where they started: the largest of the
   // inverted lowest corner, then of the highest; floats, ordered. Widest opening; largest speed² of one that gained: 2K/m
   uint width[6];

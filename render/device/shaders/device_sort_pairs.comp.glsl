@@ -1,17 +1,24 @@
 // SPDX-License-Identifier: MIT
-// Pairs whose contacts are looked for, by the kinds of their shapes: the threads of a work group of the narrow phase do
-// the same then. A thread a pair.
-//   COUNT    how many there are of each two kinds;  STARTS  where they begin, and how to dispatch them;  LISTS  which
+// Makes list 0 of device_lists.glsl. A thread a pair.
+//   COUNT    how many there are of each two kinds;  STARTS  where they begin, and how to dispatch them;  LISTS  which;
+//   AGAIN    how to dispatch another list
 shared uint here[TWO_KINDS];  // of this work group; LISTS: then where its next one goes
 
 const uint NONE = 0xffffffffu;
 uint kinds_of(uint p) {
   if (p >= counters.pairs || counters.overflow != 0u || (pairs[p].count & KEPT_CONTACTS) != 0u) return NONE;
-  const uint i = uint(kinds[kind_number[pairs[p].emitter]].form), j = uint(kinds[kind_number[pairs[p].other]].form);
-  return SHAPE_KINDS * min(i, j) + max(i, j);
+  return kinds_of_pair(p);
 }
 
-#ifdef STARTS
+#ifdef AGAIN
+uniform uint list_;
+void main() {
+  const uint k = gl_GlobalInvocationID.x;
+  if (k >= TWO_KINDS) return;
+  const uint n = counters.overflow != 0u ? 0u : list_size(list_, k);
+  arguments[arguments_of_list(list_, k)] = dispatch_of((n + TOUCH_GROUP - 1u) / TOUCH_GROUP, n);
+}
+#elif defined(STARTS)
 void main() {
   if (gl_GlobalInvocationID.x != 0u) return;
   uint first = 0u;
@@ -19,7 +26,7 @@ void main() {
     const uint n = counters.touch_size[k];
     counters.touch_first[k] = counters.touch_next[k] = first;
     first += n;
-    arguments[SWEEP_LISTS + k] = dispatch_of((n + TOUCH_GROUP - 1u) / TOUCH_GROUP, n);
+    arguments[arguments_of_list(0u, k)] = dispatch_of((n + TOUCH_GROUP - 1u) / TOUCH_GROUP, n);
   }
 }
 #else

@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: MIT
-// Contact points of the pairs of two kinds of shapes, KINDS_HERE (device_sort_pairs): a thread a pair. No compounds.
+// Contact points of the pairs of two kinds of shapes, KINDS_HERE, all at once: a thread a pair. No compounds.
+
+uniform uint list_;  // of device_lists.glsl
 
 void main() {
-  const uint n = work_group() * TOUCH_GROUP + gl_LocalInvocationID.x;
-  if (n >= counters.touch_size[KINDS_HERE]) return;
-  const uint p = touching[counters.touch_first[KINDS_HERE] + n];
+  const uint p = listed_pair(list_, KINDS_HERE);
+  if (p == NO_LISTED) return;
   Looked first, second;
   const real reach = late_ != 0u ? real(0) : reach_of(pairs[p].emitter, pairs[p].other);
   Pass pass = first_pass(p);

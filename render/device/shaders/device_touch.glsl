@@ -1,75 +1,8 @@
 // SPDX-License-Identifier: MIT
 // Contact points of pairs of bodies, put into the axes of the start of the step (sim/solver/contact_setup.cpp): what the
-// shaders share that look for them.
+// shaders share that look for them and judge them.
 
-// 1: the bodies stand where the step ends; only overlap that it has no contact for is looked for (late_contacts.cpp).
-uniform uint late_;
-// Which part of their way the bodies have gone where they are looked at (Passage).
-real part_of_way = 1;
-
-dvec3 way_of(uint i) {
-  if (kinds[kind_number[i]].fixed_ != 0) return dvec3(0);
-  return dvec3(flight[i].u.xyz) - params.h * params.h * dvec3(params.gravity[0], params.gravity[1], params.gravity[2]);
-}
-// Turned by a unit quaternion.
-dvec3 turned_by(dvec4 q, dvec3 x) { return x + 2 * cross(q.xyz, cross(q.xyz, x) + q.w * x); }
-
-// A body as it is looked at, and what of it the contacts are those of: its shape, or a part of it.
-struct Looked {
-  uint body, shape;
-  dvec3 c, c_shape;
-  dmat3 R, R_shape;
-  dvec4 turn;  // since the start of the step
-};
-
-// Centre, from the origin, and rotation where the body is looked at.
-void look_at(inout Looked at, dvec3 origin) {
-  const bool at_end = late_ != 0u && kinds[kind_number[at.body]].fixed_ == 0;
-  const real4 turn = at_end             ? outcome[at.body].q
-                     : part_of_way == 1 ? flight[at.body].q
-                                        : exp_turn(part_of_way * flight[at.body].turn.xyz);
-  const dvec3 way = at_end ? dvec3(outcome[at.body].u.xyz) : double(part_of_way) * way_of(at.body);
-  at.turn = unit_d(dvec4(turn));
-  at.c = pose[at.body].c.xyz - origin + way;
-  at.R = matrix_of(at.turn) * matrix_of(pose[at.body].q);
-  at.c_shape = at.c;
-  at.R_shape = at.R;
-}
-
-// See goes_first of sim/collision/narrow_phase.h.
-bool goes_first(Looked a, Looked b) {
-  const double size_a = kinds[kind_number[a.body]].bounding, size_b = kinds[kind_number[b.body]].bounding, alike = 1e-6lf;
-  if (abs(size_a - size_b) > alike * max(size_a, size_b)) return size_a > size_b;
-  const dvec3 apart = b.c - a.c, along = dvec3(0.31lf, 0.9lf, 0.17lf);
-  const double ahead = dot(apart, a.R * along + b.R * along);
-  return abs(ahead) > alike * length(apart) ? ahead > 0 : a.body < b.body;
-}
-
-// The two bodies of a pair, in that order; c from an origin near both. A solid's facets are turned.
-void look_at_pair(uint p, out Looked first, out Looked second) {
-  first.body = min(pairs[p].emitter, pairs[p].other);
-  second.body = max(pairs[p].emitter, pairs[p].other);
-  // A plane may be far away.
-  const dvec3 origin = pose[kinds[kind_number[first.body]].form == FORM_PLANE ? second.body : first.body].c.xyz;
-  look_at(first, origin);
-  look_at(second, origin);
-  if (goes_first(second, first)) {
-    const Looked other = first;
-    first = second;
-    second = other;
-  }
-  first.shape = uint(kinds[kind_number[first.body]].shape);
-  second.shape = uint(kinds[kind_number[second.body]].shape);
-#ifdef SOLIDS
-  turn_facets(first.shape, first.c, first.R_shape, second.shape, second.c, second.R_shape);
-#endif
-}
-
-// A little farther than now, so that they may be kept while the bodies move a little.
-real reach_of(uint first, uint second) {
-  return flight[first].turn.w + flight[second].turn.w + KEPT_REACH * real(params.d_hat);
-}
-
+#ifdef MAY_BE_LATE
 // How far the surface of a body ends beside where its contacts were looked for, at most; m.
 real beside_flight(uint i) {
   if (kinds[kind_number[i]].fixed_ != 0) return 0;
@@ -82,7 +15,9 @@ bool may_be_late(uint p) {
   return touched ? max(first, second) > real(params.d_hat) / 2
                  : first + second > reach_of(pairs[p].emitter, pairs[p].other);
 }
+#endif
 uint owned_feature(uint a, uint b, uint feature) { return feature | (a > b ? 0x80000000u : 0u); }
+#ifdef MAY_BE_LATE
 bool is_known(uint p, uint a, uint b, uint feature) {
   const uint from = pairs[p].first, end = from + (pairs[p].count & 0xffffu), name = owned_feature(a, b, feature);
   for (uint k = from; k < end; ++k) {
@@ -101,12 +36,11 @@ uint reserve(uint p, uint count, real reach) {
   see(p, reach);
   return at;
 }
+#endif
 
 // Passes of a pair over its contacts: what is near, and whether they may pass each other (passage.cpp).
 double nearest_found;
 bool may_pass;
-double least_start_d;  // ContactPoint's
-bool other_side;       // overlap_behind() of detect.cpp
 
 double thickness_along(uint body, uint shape, dmat3 R, dvec3 n) {
   const ShapeRecord record = shapes[kinds[kind_number[body]].shape];
@@ -143,22 +77,6 @@ void weigh_passage(Measured m, Looked a, Looked b) {
   if (!(m.d - approach < params.d_hat)) return;
   may_pass = may_pass || approach > 0.5lf * min(thickness_along(a.body, a.shape, a.R, m.n),
                                                 thickness_along(b.body, b.shape, b.R, m.n));
-}
-// How far a point of one may move as seen from the other; m.
-double farthest(uint p) {
-  const uint i = pairs[p].emitter, j = pairs[p].other;
-  const dvec3 apart = way_of(i) - way_of(j);
-  return sqrt(dot(apart, apart)) + double(flight[i].u.w) + double(flight[j].u.w);
-}
-double inner_of(uint i) {
-  const BodyKind k = kinds[kind_number[i]];
-  return k.form == FORM_PLANE ? 1e300lf : k.inner;
-}
-// Where the two are looked at first: at the start where they may pass each other.
-void begin_way(uint p) {
-  part_of_way = farthest(p) > 0.5lf * min(inner_of(pairs[p].emitter), inner_of(pairs[p].other)) ? 0 : 1;
-  least_start_d = -1e300lf;
-  other_side = false;
 }
 // After all contacts were weighed: is this where they are to be found? Else they are to be looked at farther on.
 bool ends_way(uint p, int steps) {
@@ -253,6 +171,7 @@ void write_contact(uint at, Measured m, uint feature, Looked looked_a, Looked lo
       real4(real3(transpose(looked_b.R) * (y_b - c_b)), 0));
 }
 
+#ifdef MAY_BE_LATE
 // What a pass over the contacts of a pair does with each: first it tells whether the two may pass each other, then it
 // counts, then it writes. One place, since a compiler takes long for each.
 const int LATE = -1, WEIGHS = 0, COUNTS = 1, WRITES = 2;
@@ -312,6 +231,8 @@ void end_pass(uint p, real reach, inout Pass pass) {
   pass.at = reserve(p, pass.count, reach);
   if (pass.at + pass.count > params.contact_room) ++pass.does;
 }
+
+#endif
 
 // To be called last. A software driver ends a thread's loops for good after so many rounds of all of them (llvmpipe:
 // 65,535), without a word: contacts would be missing then.

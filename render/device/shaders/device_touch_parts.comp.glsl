@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: MIT
-// Contact points of the pairs of two kinds of shapes, KINDS_HERE (device_sort_pairs), of which one at least is a compound:
+// Contact points of the pairs of two kinds of shapes, KINDS_HERE, of which one at least is a compound:
 // a thread a pair, which goes through all pairs of parts twice. First the contacts are counted, then they are written:
 // those of a pair lie side by side.
 
+uniform uint list_;  // of device_lists.glsl
+
 void main() {
-  const uint n = work_group() * TOUCH_GROUP + gl_LocalInvocationID.x;
-  if (n >= counters.touch_size[KINDS_HERE]) return;
-  const uint p = touching[counters.touch_first[KINDS_HERE] + n];
+  const uint p = listed_pair(list_, KINDS_HERE);
+  if (p == NO_LISTED) return;
   Looked first, second;
   const real reach = late_ != 0u ? real(0) : reach_of(pairs[p].emitter, pairs[p].other);
   Pass pass = first_pass(p);

@@ -162,7 +162,13 @@ bool best_edge(wide face, out wide separation, out int edge_i, out int edge_j) {
   return true;
 }
 
-void find_contacts(wide reach) {
+// What separates them best, by may_touch().
+wide face_a, face_b, edge;
+int axis_a, axis_b, edge_i, edge_j;
+bool b_owns;
+
+// False: they are farther apart than the reach.
+bool may_touch(wide reach) {
   kept_count = 0;
   the_reach = reach;
   h = size_of(a).xyz;
@@ -171,13 +177,13 @@ void find_contacts(wide reach) {
   t = (b.c - a.c) * a.R;
   s = (b.c - a.c) * b.R;
 
-  wide face_a = -NONE, face_b = -NONE;
-  int axis_a = 0, axis_b = 0;
+  face_a = face_b = -NONE;
+  axis_a = axis_b = 0;
   for (int i = 0; i < 3; ++i) {
     wide3 row = abs(wide3(at(C[0], i), at(C[1], i), at(C[2], i))), axis = abs(column(C, i));
     wide s_a = abs(at(t, i)) - at(h, i) - (row.x * g.x + row.y * g.y + row.z * g.z);
     wide s_b = abs(at(s, i)) - at(g, i) - (axis.x * h.x + axis.y * h.y + axis.z * h.z);
-    if (!(s_a < reach) || !(s_b < reach)) return;
+    if (!(s_a < reach) || !(s_b < reach)) return false;
     if (s_a > face_a) {
       face_a = s_a;
       axis_a = i;
@@ -187,12 +193,13 @@ void find_contacts(wide reach) {
       axis_b = i;
     }
   }
-  bool b_owns = face_b > face_a + preference(face_a, smallest);
-  wide face = b_owns ? face_b : face_a, rival = b_owns ? face_a : face_b;
-  wide edge;
-  int edge_i, edge_j;
-  if (!best_edge(face, edge, edge_i, edge_j)) return;
+  b_owns = face_b > face_a + preference(face_a, smallest);
+  return best_edge(b_owns ? face_b : face_a, edge, edge_i, edge_j);
+}
 
+void find_contacts(wide reach) {
+  if (!may_touch(reach)) return;
+  wide face = b_owns ? face_b : face_a, rival = b_owns ? face_a : face_b;
   wide bound = face + preference(face, smallest), rival_bound = rival + preference(rival, smallest);
   bool clearly_edge = edge > bound, apart = max(face, edge) > 0;
   // In turns, so that each kind of contact is made at one place of the shader, which saves a driver's time. Turn −1: the

@@ -242,7 +242,14 @@ ContactPlace place_of_corner(NearestCorner c, bool corner_of_b) {
                hull_feature(CORNER, 0u, (corner_of_b ? 1024u : 0u) | c.number), !corner_of_b);
 }
 
-void find_contacts(wide reach) {
+// What separates them best, by may_touch().
+wide face_a, face_b;
+uint number_a, number_b;
+bool b_owns;
+BestEdge edge;
+
+// False: they are farther apart than the reach.
+bool may_touch(wide reach) {
   the_reach = reach;
   view_a = view_of(a.shape);
   view_b = view_of(b.shape);
@@ -251,8 +258,6 @@ void find_contacts(wide reach) {
   C_back = transpose(C);
   t_back = -(C_back * t);
 
-  wide face_a = wide(0), face_b = wide(0);
-  uint number_a = 0u, number_b = 0u;
   for (int side = 0; side < 2; ++side) {
     TextHull owner = view_a, other = view_b;
     mat_wide3 M = C;
@@ -265,7 +270,7 @@ void find_contacts(wide reach) {
     }
     uint number;
     wide best = best_face(owner, other, M, m, number);
-    if (!(best < reach)) return;
+    if (!(best < reach)) return false;
     if (side == 0) {
       face_a = best;
       number_a = number;
@@ -274,11 +279,14 @@ void find_contacts(wide reach) {
       number_b = number;
     }
   }
-  bool b_owns = face_b > face_a + preference(face_a, smallest);
-  wide face = b_owns ? face_b : face_a, rival = b_owns ? face_a : face_b;
-  BestEdge edge = best_edge(face);
-  if (!(edge.separation < reach)) return;
+  b_owns = face_b > face_a + preference(face_a, smallest);
+  edge = best_edge(b_owns ? face_b : face_a);
+  return edge.separation < reach;
+}
 
+void find_contacts(wide reach) {
+  if (!may_touch(reach)) return;
+  wide face = b_owns ? face_b : face_a, rival = b_owns ? face_a : face_b;
   wide bound = face + preference(face, smallest), rival_bound = rival + preference(rival, smallest);
   bool clearly_edge = edge.separation > bound, apart = edge.separation > 0;
   // In turns, so that each kind of contact is made at one place of the shader. Turn −1: the chosen face, where the edge
