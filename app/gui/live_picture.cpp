@@ -51,7 +51,7 @@ std::shared_ptr<const Snapshot> LivePicture::choose(std::shared_ptr<const Snapsh
 LivePicture::Plan LivePicture::plan(const Snapshot& sim, const UiState& ui, double now) {
   const Camera camera = rounded(ui.camera);
   // A single step is drawn at full quality.
-  const bool moving = sim.playing || !same_camera(camera, camera_);
+  const bool moving = sim.playing || camera != camera_;
   camera_ = camera;
   if (moving) moved_ = now;
   const bool owed = moment(sim) != shown_;

@@ -57,7 +57,7 @@ bool SceneView::draw(const Snapshot& sim, const UiState& ui, const std::vector<T
   const Key key{sim.serial,   width,   height,        ui.contacts, ui.bonds, two,      ui.color,
                 ui.selection, ui.dark, quality.level, ui.marks,    ui.theme, ui.trails};
   const Camera camera = rounded(ui.camera);
-  if (key == key_ && same_camera(camera, camera_)) return false;
+  if (key == key_ && camera == camera_) return false;
   key_ = key;
   camera_ = camera;
   if (sim.a.poses) {
@@ -85,7 +85,7 @@ void frame_spots(std::shared_ptr<const std::vector<Spot>> spots, const CameraPos
 
 void reframe(const Viewport& port, UiState& ui) {
   if (!ui.framed || std::abs(port.width / port.height / ui.framed->aspect - 1) < 1e-3) return;
-  if (same_camera(rounded(ui.camera), ui.framed->camera)) {
+  if (rounded(ui.camera) == ui.framed->camera) {
     frame_spots(ui.framed->spots, ui.camera, port, ui);
   } else {
     ui.framed.reset();

@@ -134,7 +134,7 @@ struct Actor {
   void operator()(const command::CompareView& c) const {
     const bool side = c.choice == "side";
     // A picture of half the width needs more distance.
-    const bool by_hand = !ui.framed || !same_camera(rounded(ui.camera), ui.framed->camera);
+    const bool by_hand = !ui.framed || rounded(ui.camera) != ui.framed->camera;
     if (sim.b && side != ui.side_by_side && by_hand)
       ui.camera.eye =
           ui.camera.target + (side ? kStepBack : 1 / kStepBack) * (ui.camera.eye - ui.camera.target);

@@ -133,6 +133,10 @@ void FrameTarget::resolve_here(OutlineSmoother& smoother, bool smooth) {
   gl_.PixelStorei(GL_PACK_ALIGNMENT, 4);
   gl_.ReadPixels(0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_SHORT, tagged_.data());
   smoother.encode(tagged_.data(), width_, height_, smooth, smooth_.data());
+  resolve_again();
+}
+
+void FrameTarget::resolve_again() {
   gl_.BindTexture(GL_TEXTURE_2D, color_->id());
   gl_.TexSubImage2D(GL_TEXTURE_2D, 0, 0, 0, width_, height_, GL_RGBA, GL_UNSIGNED_BYTE, smooth_.data());
 }

@@ -32,6 +32,8 @@ struct RenderQuality {
 
   // For a window whose picture changes all the time, on a machine that draws without a GPU.
   static constexpr RenderQuality live() { return {Quality::draft, 0.8f}; }
+
+  bool operator==(const RenderQuality&) const = default;
 };
 
 // Chooses how much smaller than its place a live picture is drawn, so that it takes no longer than a budget

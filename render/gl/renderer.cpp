@@ -41,6 +41,16 @@ bool is_software(const std::string& renderer) {
 
 }  // namespace
 
+// What the picture of a frame follows from.
+struct DrawnScene {
+  VisualScene scene;
+  PictureTheme theme;
+  RenderQuality quality;
+  int width = 0, height = 0;
+
+  bool operator==(const DrawnScene&) const = default;
+};
+
 struct Renderer::Impl {
   Impl(GlContext& c, int width, int height)
       : context(c),
@@ -64,6 +74,7 @@ struct Renderer::Impl {
 
   void draw_scene(const VisualScene& scene, const RenderQuality& quality, DeviceInstances* device,
                   FrameTarget& into);
+  void draw_unless_drawn(const VisualScene& scene, const RenderQuality& quality);
 
   std::optional<FrameTarget>& view(int number) {
     if (number < 0 || number >= kViews) {
@@ -123,6 +134,7 @@ struct Renderer::Impl {
   OutlineSmoother smoother;
   GlBuffer uniforms;
   DrawList list;
+  std::optional<DrawnScene> drawn;  // into `target`, whose memory still has its picture
   FrameTimes times;
   double queue_time = 0;
   bool measuring = false;
@@ -213,6 +225,15 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
   lap(passes.resolve);
 }
 
+// A scene at rest is the same in many frames of a video: only the overlay changes.
+void Renderer::Impl::draw_unless_drawn(const VisualScene& scene, const RenderQuality& quality) {
+  DrawnScene now{scene, *scene.theme, quality, target.width(), target.height()};
+  if (drawn == now) return target.resolve_again();
+  drawn.reset();
+  draw_scene(scene, quality, nullptr, target);
+  drawn = std::move(now);
+}
+
 // Uploads the list with the meshes of `device`, which then makes its instances.
 void Renderer::Impl::add_device(DeviceInstances& device, const InstanceFrame& frame) {
   const int meshes = static_cast<int>(list.meshes.size());
@@ -235,7 +256,12 @@ void Renderer::draw(const VisualScene& scene, const ImDrawData* overlay, const R
   const auto start = Clock::now();
   FrameTarget& target = impl_->target;
   target.resize(target.width(), target.height(), quality.samples(impl_->software));
-  impl_->draw_scene(scene, quality, device, target);
+  if (device == nullptr && impl_->software && target.samples() == 1 && !impl_->measuring) {
+    impl_->draw_unless_drawn(scene, quality);
+  } else {
+    impl_->drawn.reset();
+    impl_->draw_scene(scene, quality, device, target);
+  }
   impl_->draw_overlay(overlay);
   impl_->end_frame(start);
 }

@@ -22,7 +22,7 @@ struct FrameTimes {
   double read_back = 0;
 };
 
-// The same by pass, of the last scene drawn while measure_passes() was on.
+// The same by pass, of the last scene drawn while measure_passes() was on, which also draws a scene again that did not change.
 struct PassTimes {
   double prepare = 0;  // sorting, uploading
   double shadow = 0;

@@ -26,11 +26,6 @@ Vec3f any_across(const Vec3f& v) {
 
 }  // namespace
 
-bool same_camera(const Camera& a, const Camera& b) {
-  return a.eye == b.eye && a.target == b.target && a.up == b.up && a.fov == b.fov &&
-         a.orthographic == b.orthographic && a.shift == b.shift;
-}
-
 float half_height(const Camera& camera) {
   const float slope = std::tan(0.5f * camera.fov * kFloatDegree);
   return camera.orthographic ? slope * std::max((camera.eye - camera.target).norm(), 1e-12f) : slope;

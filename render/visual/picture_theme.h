@@ -12,6 +12,8 @@ namespace pabd {
 // halo's fourth number is its opacity.
 struct MarkInks {
   std::uint8_t axes[3][3], text[3], halo[4];
+
+  bool operator==(const MarkInks&) const = default;
 };
 inline constexpr MarkInks kInksOnLight{
     {{200, 50, 47}, {46, 135, 60}, {38, 92, 190}}, {31, 41, 51}, {255, 255, 255, 200}};
@@ -27,6 +29,8 @@ struct PictureTheme {
   float floor[3];            // where it is fully lit
   bool transparent = false;  // no floor, and nothing behind the bodies
   MarkInks inks = kInksOnLight;
+
+  bool operator==(const PictureTheme&) const = default;
 };
 
 inline constexpr PictureTheme kStudioTheme{"studio",

@@ -36,6 +36,8 @@ struct Instance {
   bool shaded = true;    // false: flat colour (glyphs that encode a value)
   bool xray = false;     // a glyph or ghost: where a body hides it, it shows through faintly
   bool checker = false;  // every other eighth is darker
+
+  bool operator==(const Instance&) const = default;
 };
 
 // Triangles with flat faces, within radius 1 about the origin. Three corners a triangle, anticlockwise from
@@ -49,6 +51,8 @@ struct MeshInstances {
   std::shared_ptr<const MeshData> mesh;
   std::shared_ptr<const void> source;  // what the mesh was made from: equal sources share a mesh
   std::vector<Instance> instances;
+
+  bool operator==(const MeshInstances&) const = default;
 };
 
 // A polyline piece. Drawn as a camera-facing quad of two triangles, never GL_LINES.
@@ -57,17 +61,23 @@ struct Line {
   Vec4f color;
   float width;          // pixels at 720 px frame height
   bool on_top = false;  // not hidden by bodies
+
+  bool operator==(const Line&) const = default;
 };
 
 struct Label {
   Vec3f position;
   std::string text;  // UTF-8; painted by the overlay
   float size = 17;   // of the em, pixels at 720 px frame height
+
+  bool operator==(const Label&) const = default;
 };
 
 struct Ground {
   Vec3f normal{0, 1, 0};
   float offset = 0;
+
+  bool operator==(const Ground&) const = default;
 };
 
 struct Camera {
@@ -80,9 +90,9 @@ struct Camera {
   // Where the target appears: 0 in the middle, ±1 at the edges, x to the right, y up. Moves the picture, not the
   // eye: what is square to the line of sight stays so.
   Eigen::Vector2f shift{0, 0};
-};
 
-bool same_camera(const Camera& a, const Camera& b);
+  bool operator==(const Camera&) const = default;
+};
 
 // Half the height of what is seen at distance 1, or of all that is seen by an orthographic camera; m.
 float half_height(const Camera& camera);
@@ -105,6 +115,9 @@ struct VisualScene {
   Vec3f light_direction{-0.85f, -1.0f, -0.3f};  // the way the light travels; need not be unit
   Vec3f centre{0, 0, 0};                        // bounding sphere of what moves, for shadow and depth range
   float radius = 5;
+
+  // Of one theme, and the same in all else: the picture is the same too.
+  bool operator==(const VisualScene&) const = default;
 
   // Keeps the memory.
   void clear() {

@@ -35,6 +35,7 @@ struct Picture {
       step(file.model, file.params, {false, true, 1}, file.initial, workspace, report);
     scene.camera = frame_camera(file.model, file.initial, double(kWidth) / kHeight);
     build_visual(file.model, file.initial, report, {}, scene);
+    renderer.measure_passes(true);  // draws what did not change
   }
 
   void frame() {
