@@ -190,8 +190,7 @@ void Renderer::Impl::draw_scene(const VisualScene& scene, const RenderQuality& q
 
   // Software GL saves texels; where a GPU has a million bodies, it is they that cost.
   const ShadowRange known = device != nullptr && !software ? ShadowRange::far_sides : ShadowRange::both_sides;
-  shadow_pass.draw(list, drawer, quality.shadow_texels(),
-                   quality.level == Quality::draft ? ShadowRange::none : known, device);
+  shadow_pass.draw(list, drawer, shadow, quality.level == Quality::draft ? ShadowRange::none : known, device);
   lap(passes.shadow);
   contact_shade_pass.draw(list, drawer, floor);
   lap(passes.contact_shade);

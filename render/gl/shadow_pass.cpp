@@ -60,8 +60,9 @@ void ShadowPass::allocate(int texels) {
   texels_ = texels;
 }
 
-void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int texels, ShadowRange range,
-                      DeviceInstances* device) {
+void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, const ShadowVolume& volume,
+                      ShadowRange range, DeviceInstances* device) {
+  const int texels = volume.texels;
   allocate(texels);
   gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffer_.id());
   gl_.Viewport(0, 0, texels, texels);
@@ -94,7 +95,14 @@ void ShadowPass::draw(const DrawList& list, const InstanceDrawer& drawer, int te
   gl_.BindTexture(GL_TEXTURE_2D, near_.id());
   gl_.ActiveTexture(GL_TEXTURE0);
   gl_.BindTexture(GL_TEXTURE_2D, map_.id());
+  // Only there sun_visibility() asks.
+  const auto cell = [](float texel) { return static_cast<int>(texel) / kRangeCell; };
+  const float* const b = volume.bounds;
+  const int x = cell(b[0]), y = cell(b[1]);
+  gl_.Enable(GL_SCISSOR_TEST);
+  gl_.Scissor(x, y, cell(b[2]) + 1 - x, cell(b[3]) + 1 - y);
   range_program_.draw();
+  gl_.Disable(GL_SCISSOR_TEST);
 }
 
 void ShadowPass::bind_maps() const {

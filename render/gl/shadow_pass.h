@@ -19,8 +19,8 @@ class ShadowPass {
  public:
   explicit ShadowPass(const GlFunctions& gl);
 
-  // Draws the casters into a map of texels². `device`: who made those of the list that are on the GPU, or null.
-  void draw(const DrawList& list, const InstanceDrawer& drawer, int texels, ShadowRange range,
+  // Draws the casters into a map of the volume. `device`: who made those of the list that are on the GPU, or null.
+  void draw(const DrawList& list, const InstanceDrawer& drawer, const ShadowVolume& volume, ShadowRange range,
             DeviceInstances* device);
   // Makes map and range the textures of units 0 and 3, where lit programs read them.
   void bind_maps() const;
