@@ -43,7 +43,7 @@ class FrameTarget {
   // The same by the processor, for one sample a pixel. `smooth`: there are tags in the alpha channel, see
   // OutlineSmoother.
   void resolve_here(OutlineSmoother& smoother, bool smooth);
-  void resolve_again();  // what resolve_here() left, without what was drawn over it
+  void resolve_again();        // what resolve_here() left, without what was drawn over it
   void bind_resolved() const;  // sRGB bytes: what resolve() left; no depth
   void blit_to_default(int width, int height) const;
   // Copies the resolved frame into a rectangle of another one, scaled if need be. Bytes stay as they are.
