@@ -35,6 +35,8 @@ void set_up_program(CLI::App& app, Action& action) {
   set_up_help(app);
   app.require_subcommand(1);
   app.footer(
+      "'pabd help COMMAND' shows how a command is used.\n"
+      "\n"
       "Examples:\n"
       "  pabd render pyramid -o pyramid.mp4 --time 5\n"
       "  pabd view two_boxes\n"

@@ -76,6 +76,8 @@ bool is_list(const CLI::Option& option) { return value_name(option) == "LIST"; }
 
 std::string completions(const CLI::App& program, const std::vector<std::string>& words) {
   if (words.empty()) return "";
+  if (words.size() > 1 && words.front() == kHelpWord)
+    return completions(program, {words.begin() + 1, words.end()});
   const CLI::App* command = &program;
   const CLI::Option* waiting = nullptr;  // the option whose value comes next
   std::size_t arguments = 0;             // that stand there already

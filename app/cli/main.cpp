@@ -6,6 +6,8 @@
 #include <csignal>
 #include <exception>
 #include <string>
+#include <utility>
+#include <vector>
 
 #include "app/cli/common.h"
 #include "app/cli/completion.h"
@@ -99,9 +101,18 @@ int run_program(int argc, char** argv) {
     return 0;
   }
 
+  // "pabd help plot barrier" is "pabd plot barrier --help".
+  std::vector<std::string> words(argv + 1, argv + argc);
+  const bool asks = !words.empty() && words.front() == kHelpWord;
+  if (asks) std::rotate(words.begin(), words.begin() + 1, words.end());
+  if (asks) words.back() = "--help";
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+
   try {
-    app.parse(argc, argv);
-  } catch (const CLI::CallForHelp&) {
+    app.parse(std::move(words));
+  } catch (const CLI::CallForHelp& help) {
+    if (asks && !unknown_word(*innermost(app)).empty())
+      return report_error(ErrorKind::bad_input, usage_message(app, help));
     write_stdout(help_text(*innermost(app), command_path(app), help_columns()));
     return 0;
   } catch (const CLI::CallForVersion&) {

@@ -24,6 +24,7 @@ class Override {
     }
     split(text.substr(0, equals));
     value_text_ = text.substr(equals + 1);
+    if (parts_.size() == 1) refuse_short();
   }
 
   AppliedOverride apply(Json& scene) {
@@ -49,6 +50,20 @@ class Override {
       if (part.empty()) refuse("the key has an empty part; expected names and indices joined by dots");
       parts_.push_back(std::exchange(part, {}));
     }
+  }
+
+  // A parameter without its section, "kappa", or by its symbol, "h".
+  void refuse_short() const {
+    const std::string& name = parts_.front();
+    if (find_parameter(name, table_)) return;
+    std::vector<std::string_view> meant;
+    const auto consider = [&](std::string_view key, std::string_view symbol) {
+      const auto dot = key.rfind('.');
+      if (symbol == name || (dot != key.npos && key.substr(dot + 1) == name)) meant.push_back(key);
+    };
+    for (const ParameterSection& section : parameter_sections()) consider(section.key, {});
+    for (const ParameterRow& row : table_) consider(row.key, row.symbol);
+    if (!meant.empty()) refuse(fmt::format("no such key; did you mean {}?", one_of(meant)));
   }
 
   std::string joined(char separator, std::size_t count) const {

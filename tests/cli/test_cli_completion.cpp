@@ -96,6 +96,7 @@ TEST_CASE("bash offers every command, and every option that the help of a comman
        {"render", "export", "run", "plot", "figure", "compare", "scenes", "bench", "doctor", "view", "serve"})
     CHECK(std::count(commands.begin(), commands.end(), name) == 1);
   CHECK(std::count(commands.begin(), commands.end(), "man") == 0);
+  CHECK(bash_offers(folder, "pabd help re") == bash_offers(folder, "pabd re"));
   for (const std::vector<std::string>& command :
        std::vector<std::vector<std::string>>{{"render"},
                                              {"export"},

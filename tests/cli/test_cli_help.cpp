@@ -53,6 +53,15 @@ int width_of(const std::string& line) {
 
 }  // namespace
 
+TEST_CASE("'pabd help COMMAND' is 'pabd COMMAND --help'") {
+  CHECK(run_pabd({"help"}).out == run_pabd({"--help"}).out);
+  CHECK(run_pabd({"help", "render"}).out == run_pabd({"render", "--help"}).out);
+  CHECK(run_pabd({"help", "plot", "barrier"}).out == run_pabd({"plot", "barrier", "--help"}).out);
+  const Outcome wrong = run_pabd({"help", "rendr"});
+  CHECK(wrong.exit_code == 2);
+  CHECK(wrong.err.find("rendr: no such command; did you mean \"render\"?") != std::string::npos);
+}
+
 TEST_CASE("text is wrapped at blanks, and what follows is set in") {
   CHECK(wrap("one two three", 7, 2) == "one two\n  three");
   CHECK(wrap("one two three", 13, 2) == "one two three");

@@ -89,4 +89,15 @@ TEST_CASE("a bad path names the part that does not exist", "[scene]") {
   check_refused(kTwo, {"not UTF-8"}, {"name=\xff\xfe"});
 }
 
+TEST_CASE("a parameter without its section, or by its symbol, is told by its key", "[scene]") {
+  const std::vector<std::pair<std::string, std::string>> short_keys = {
+      {"kappa=5", "did you mean \"contact.kappa\"?"},
+      {"N=3", "did you mean \"contact.N\"?"},
+      {"h=0.01", "did you mean \"time_step\"?"},
+      {"iterations=5", "did you mean \"solver.iterations\"?"},
+      {"friction=0.5", "did you mean \"contact.friction\"?"}};
+  for (const auto& [set, hint] : short_keys) check_refused(kTwo, {"--set " + set, hint}, {set});
+  CHECK(parse(kTwo, {"name=h"}).name == "h");
+}
+
 }  // namespace pabd::test_overrides
