@@ -15,6 +15,8 @@ constexpr double kLeast = 0.62;  // plots may be lower than they wish by this fa
 constexpr double kLeastScale = 0.72;
 // What would have to be smaller, or leaves the picture less of the frame, is left out.
 constexpr double kReadable = 0.62, kLeastFree = 0.25;
+constexpr double kLeastPicture =
+    0.52;  // of the height, between panels above and below; or it is three to two
 
 Rect snapped(double x, double y, double w, double h) {
   const double x0 = std::round(x), y0 = std::round(y);
@@ -65,7 +67,8 @@ double scale_of(const Place& top, const Place& column, const Place& legends, int
   return std::min({s, width / needed_width, height / needed_height});
 }
 
-PanelLayout place(const Place& top, const Place& column, const Place& legends, int width, int height) {
+// Some at the left, the plots at the right.
+PanelLayout place_beside(const Place& top, const Place& column, const Place& legends, int width, int height) {
   PanelLayout layout;
   const double s = scale_of(top, column, legends, width, height);
   layout.scale = s;
@@ -109,6 +112,60 @@ PanelLayout place(const Place& top, const Place& column, const Place& legends, i
     }
   }
   return layout;
+}
+
+// The plots in rows below the picture, all else in a row above it.
+PanelLayout place_in_bands(const Place& top, const Place& plots, const Place& legends, double s, int width,
+                           int height) {
+  PanelLayout layout;
+  layout.scale = s;
+  const double margin = kMargin * s, gap = kGap * margin, inner = width - 2 * margin;
+  double x = margin, y = margin, row = 0;  // height of the row
+  for (const Place* place : {&top, &legends}) {
+    for (const Wish& wish : place->wishes) {
+      if (x > margin && x + wish.width * s > width - margin) {
+        x = margin;
+        y += row + gap;
+        row = 0;
+      }
+      layout.panels.push_back({wish.panel, snapped(x, y, wish.width * s, wish.height * s)});
+      x += wish.width * s + gap;
+      row = std::max(row, wish.height * s);
+    }
+  }
+  const double above = row > 0 ? y + row + margin : 0;
+  double below = height;
+  if (const int count = plots.count(); count > 0) {
+    const int fit = static_cast<int>((inner + gap) / (plots.widest * s + gap));
+    const int rows = (count + std::max(fit, 1) - 1) / std::max(fit, 1), columns = (count + rows - 1) / rows;
+    const double h = plots.tallest * s, start = height - margin - rows * h - (rows - 1) * gap;
+    for (int k = 0; k < count; ++k) {
+      const int in_row = std::min(columns, count - k / columns * columns);
+      const double w = (inner - (in_row - 1) * gap) / in_row;
+      const Rect at = snapped(margin + k % columns * (w + gap), start + k / columns * (h + gap), w, h);
+      layout.panels.push_back({plots.wishes[static_cast<std::size_t>(k)].panel, at});
+    }
+    below = start - margin;
+  }
+  layout.free = {0, above, static_cast<double>(width), below - above};
+  return layout;
+}
+
+// How wide a picture of three to two finds its place.
+double picture_width(const Rect& free) { return std::min(free.w, 1.5 * free.h); }
+
+PanelLayout place(const Place& top, const Place& column, const Place& legends, int width, int height) {
+  PanelLayout beside = place_beside(top, column, legends, width, height);
+  const double widest = std::max({top.widest, column.widest, legends.widest}) + 2 * kMargin;
+  if (width > height || beside.panels.empty()) return beside;
+  // As large as in a frame of 1280 × 720 that is as wide as this one is, or as high, as far as the picture keeps its place.
+  for (double s = std::min(width, height) / 720.0; s >= kLeastScale; s *= 0.97) {
+    if (widest * s > width) continue;
+    PanelLayout bands = place_in_bands(top, column, legends, s, width, height);
+    if (bands.free.h < std::min(kLeastPicture * height, width / 1.5)) continue;
+    return picture_width(bands.free) >= picture_width(beside.free) ? bands : beside;
+  }
+  return beside;
 }
 
 }  // namespace

@@ -94,6 +94,20 @@ TEST_CASE("the picture stays visible: half the frame at 1280x720 and above, a qu
   CHECK(layout_panels({}, {}, 1280, 720).free.w == 1280);
 }
 
+TEST_CASE("in square and portrait frames panels are above and below a picture as wide as the frame") {
+  for (const auto& [width, height] : {std::pair{720, 1280}, {1080, 1920}, {900, 900}, {2160, 3840}}) {
+    CAPTURE(width, height);
+    const PanelLayout layout = layout_panels(parse_panels("plots,legend"), data_with_joints(), width, height);
+    CHECK(layout.panels.size() == 4);
+    CHECK(layout.free.w == width);
+    CHECK(layout.free.h > 0.4 * height);
+    for (const PlacedPanel& placed : layout.panels) {
+      const bool below = placed.rect.y >= layout.free.bottom();
+      CHECK(below == (placed.panel->place == PanelPlace::column));
+    }
+  }
+}
+
 TEST_CASE("the legend of joints comes with bonds, where there are joints") {
   OverlayOptions options;
   options.show_with(PictureLayer::bonds);
