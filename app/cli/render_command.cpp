@@ -146,7 +146,7 @@ int render(const RenderOptions& asked) {
   const RenderOptions options = completed(asked);
   check_range("--encoder-timeout", options.encoder_timeout, 0.1, 1e6, "s");
   const FrameSize size = parse_size(options.size);
-  const CameraOption camera = parse_camera(options.camera);
+  CameraOption camera = parse_camera(options.camera);
   OverlayChoice overlay = parse_overlay(options.overlay);
   overlay.theme = &find_theme(options.theme);
   check_range("--trail-time", options.trail_time, 0.01, 1e6, "s");
@@ -161,6 +161,8 @@ int render(const RenderOptions& asked) {
   // A video of T seconds has T·fps frames, the last one a frame before T; a still shows the state at T.
   const auto frames = frame_count(options.length, a.scene(), options.fps, is_still(out));
   FrameRange range{0, static_cast<int>(frames), options.fps};
+  const double seconds = range.count / options.fps;
+  if (camera.whole_turn) camera.orbit = 360 / seconds;
   if (is_still(out)) range.first = range.count - 1;
   inputs.add(options.ab);
   if (!camera.keys.empty()) inputs.add(options.camera);
@@ -184,7 +186,7 @@ int render(const RenderOptions& asked) {
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(backend, attempts);
   AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera,
-                    b ? b->shared_scene() : nullptr);
+                    b ? b->shared_scene() : nullptr, seconds);
   painter.set_quality(parse_quality(options.quality));
   PngText common =
       common_text(a.scene(),

@@ -64,6 +64,14 @@ void set_key(CameraOption& option, const std::string& text, std::string_view key
   }
 }
 
+// "20" or "8s"; degrees a second.
+float orbit_speed(const std::string& text, std::string_view word) {
+  if (!word.ends_with('s')) return parse_number(text, word);
+  const float turn = parse_number(text, word.substr(0, word.size() - 1));
+  if (!(std::abs(turn) >= 0.1f)) fail(text, "a turn takes 0.1 s or more");
+  return 360 / turn;
+}
+
 // A view, or what is said of it. False when the word is none.
 bool take_word(CameraOption& option, const std::string& text, std::string_view word) {
   using View = CameraOption::View;
@@ -78,14 +86,20 @@ bool take_word(CameraOption& option, const std::string& text, std::string_view w
     set_view(view);
     return true;
   }
-  if (word.starts_with("orbit:")) {
+  if (word == "orbit") {
     set_view(View::orbit);
-    option.orbit = parse_number(text, word.substr(6));
+    option.whole_turn = true;
+  } else if (word.starts_with("orbit:")) {
+    set_view(View::orbit);
+    option.orbit = orbit_speed(text, word.substr(6));
   } else if (word == "ortho") {
     option.orthographic = true;
   } else if (word.starts_with("follow:")) {
     option.follow = word.substr(7);
     if (option.follow.empty()) fail(text, "follow: needs the name or number of a body");
+  } else if (word.starts_with("fit:")) {
+    if (word.size() == 4) fail(text, "fit: needs the name or number of a body");
+    option.fit.emplace_back(word.substr(4));
   } else {
     return false;
   }
@@ -95,10 +109,13 @@ bool take_word(CameraOption& option, const std::string& text, std::string_view w
 }  // namespace
 
 std::string camera_help() {
-  return "front, side, top, iso or orbit:DEGREES_A_SECOND, with ortho (parallel rays), follow:BODY, and any "
-         "of "
-         "eye=x,y,z, target=x,y,z, fov=degrees, up=x,y,z, separated by commas; or a file of camera keys "
-         "(.json)";
+  return "front, side, top, iso or orbit (once around in the video; orbit:20: degrees a second; orbit:8s: a "
+         "turn in "
+         "8 s), with ortho (parallel rays), fit:BODY (only these are to be seen; fit:leg*: all that begin "
+         "so), "
+         "follow:BODY, and any of eye=x,y,z, target=x,y,z, fov=degrees, up=x,y,z, separated by commas; or a "
+         "file "
+         "of camera keys (.json)";
 }
 
 CameraOption parse_camera(const std::string& text) {
@@ -117,7 +134,7 @@ CameraOption parse_camera(const std::string& text) {
     numbers.clear();
   };
   for (std::string_view word : split(text, ',')) {
-    if (word.starts_with("follow:") || word.find('=') == std::string_view::npos) {
+    if (word.starts_with("follow:") || word.starts_with("fit:") || word.find('=') == std::string_view::npos) {
       if (take_word(option, text, word)) {
         end_key();
         continue;
@@ -152,22 +169,56 @@ std::string camera_text(const CameraOption& option, const std::string& text) {
   return option.keys.empty() ? text : camera_keys_json({"", option.keys});
 }
 
-std::optional<Index> followed_body(const CameraOption& option, const Model& model) {
-  const std::string& wanted = option.follow;
-  if (wanted.empty()) return std::nullopt;
+namespace {
+
+// By name, or by number where no body has the name; not a plane.
+std::optional<Index> find_body(const Model& model, const std::string& wanted) {
   const auto named = std::find(model.name.begin(), model.name.end(), wanted);
   std::size_t body = static_cast<std::size_t>(named - model.name.begin());
   if (named == model.name.end()) {
     const auto result = std::from_chars(wanted.data(), wanted.data() + wanted.size(), body);
-    if (result.ec != std::errc() || result.ptr != wanted.data() + wanted.size()) body = model.name.size();
+    if (result.ec != std::errc() || result.ptr != wanted.data() + wanted.size()) return std::nullopt;
   }
-  if (body >= model.name.size() || is_plane(model.shape[body])) {
-    throw Error(
-        ErrorKind::bad_input,
-        fmt::format("--camera follow:{}: there is no such body; expected its name, or a number below {}",
-                    wanted, model.name.size()));
-  }
+  if (body >= model.name.size() || is_plane(model.shape[body])) return std::nullopt;
   return static_cast<Index>(body);
+}
+
+[[noreturn]] void fail_body(const char* word, const std::string& wanted, const Model& model) {
+  throw Error(ErrorKind::bad_input,
+              fmt::format("--camera {}:{}: there is no such body; expected its name, or a number below {}",
+                          word, wanted, model.name.size()));
+}
+
+}  // namespace
+
+std::optional<Index> followed_body(const CameraOption& option, const Model& model) {
+  if (option.follow.empty()) return std::nullopt;
+  const auto body = find_body(model, option.follow);
+  if (!body) fail_body("follow", option.follow, model);
+  return body;
+}
+
+std::vector<Index> bodies_to_fit(const CameraOption& option, const Model& model) {
+  std::vector<std::uint8_t> chosen(model.name.size(), 0);
+  for (const std::string& wanted : option.fit) {
+    bool any = false;
+    if (wanted.ends_with('*')) {
+      for (std::size_t i = 0; i < chosen.size(); ++i) {
+        if (!model.name[i].starts_with(wanted.substr(0, wanted.size() - 1)) || is_plane(model.shape[i]))
+          continue;
+        chosen[i] = 1;
+        any = true;
+      }
+    } else if (const auto body = find_body(model, wanted)) {
+      chosen[static_cast<std::size_t>(*body)] = 1;
+      any = true;
+    }
+    if (!any) fail_body("fit", wanted, model);
+  }
+  std::vector<Index> out;
+  for (std::size_t i = 0; i < chosen.size(); ++i)
+    if (chosen[i]) out.push_back(static_cast<Index>(i));
+  return out;
 }
 
 Camera apply_camera(const CameraOption& option, const Camera& base, double time, const Vec3& way) {

@@ -74,7 +74,7 @@ std::string theme_help() {
 }
 
 FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
-                           std::span<const Spot> spots, int width, int height, const OverlayChoice& overlay,
+                           const Outlook& outlook, int width, int height, const OverlayChoice& overlay,
                            const CameraOption& camera, const Comparison& comparison)
     : scene_(std::move(scene)),
       width_(width),
@@ -85,6 +85,7 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
       }),
       choice_(overlay),
       camera_option_(camera),
+      far_(outlook.far),
       start_time_(first.state->time),
       ghost_(comparison.ghost) {
   data_.scene_name = scene_->name;
@@ -94,20 +95,20 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
   data_.caption = comparison.caption;
   data_.details = comparison.details;
   data_.view = &first;
-  set_camera(first, spots, std::max(comparison.lines, comparison.details.size()));
+  set_camera(first, outlook, std::max(comparison.lines, comparison.details.size()));
 }
 
-void FramePainter::set_camera(const FrameView& first, std::span<const Spot> spots,
-                              std::size_t caption_lines) {
+void FramePainter::set_camera(const FrameView& first, const Outlook& outlook, std::size_t caption_lines) {
   followed_ = followed_body(camera_option_, *first.model);
   if (followed_) follow_from_ = first.state->c[static_cast<std::size_t>(*followed_)];
   const PicturePart part =
       free_part(layout_panels(choice_.panels, data_, width_, height_), caption_lines, width_, height_);
   const double aspect = static_cast<double>(width_) / height_;
-  base_camera_ = frame_view(camera_option_, side_of(*scene_), spots, aspect, part);
+  base_camera_ = frame_view(camera_option_, side_of(*scene_), outlook, aspect, part);
   if (!followed_) return;
   const double radius = bounding_radius(first.model->shape[static_cast<std::size_t>(*followed_)]);
-  base_camera_ = come_near(camera_option_, base_camera_, {follow_from_, radius}, aspect, part);
+  const Camera all = base_camera_.at(first.state->time);
+  base_camera_ = EasedCamera(come_near(camera_option_, all, {follow_from_, radius}, aspect, part));
 }
 
 void FramePainter::draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
@@ -122,12 +123,13 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   Vec3 way = Vec3::Zero();
   if (followed_ && *followed_ < view.state->size() && has_finite_pose(*view.state, *followed_))
     way = view.state->c[static_cast<std::size_t>(*followed_)] - follow_from_;
-  visual_.camera = apply_camera(camera_option_, base_camera_,
+  visual_.camera = apply_camera(camera_option_, base_camera_.at(time),
                                 camera_option_.keys.empty() ? time - start_time_ : time, way);
   if (on_device) {
     show_on_device(*view.model, on_device->around, visual_);
   } else {
     build_visual(*view.model, *view.state, view.report, options, visual_);
+    leave_out_far(view);
   }
   if (other && ghost_) add_ghost(*view.model, *other->state, ghost_color(), visual_);
   for (std::size_t k = 0; k < view.trails.size(); ++k)
@@ -149,6 +151,15 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   draw_on(kOnWhiteTheme);
   renderer_.fetch(white);
   mattes_.push_back(matte(black, white));
+}
+
+// What is far away takes no part in the light, nor in how wide the floor's grid is.
+void FramePainter::leave_out_far(const FrameView& view) {
+  std::vector<std::uint8_t> in = bodies_in_picture(*view.model, *view.state);
+  if (far_.size() != in.size()) return;  // bodies were added, or nothing is known
+  for (std::size_t i = 0; i < in.size(); ++i)
+    if (far_[i]) in[i] = 0;
+  if (const auto around = bounding_sphere(*view.model, *view.state, in)) set_sphere(*around, visual_);
 }
 
 void FramePainter::fetch(Image& out) {

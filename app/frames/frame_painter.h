@@ -9,12 +9,12 @@
 #include <string>
 
 #include "app/frames/camera_option.h"
+#include "app/frames/outlook.h"
 #include "app/overlay/overlay.h"
 #include "app/session/frame_view.h"
 #include "render/gl/renderer.h"
 #include "render/visual/bounds.h"
 #include "render/visual/build_visual.h"
-#include "render/visual/framing.h"
 #include "render/visual/picture_marks.h"
 #include "sim/scene/scene.h"
 
@@ -59,10 +59,10 @@ struct BodiesOnDevice {
 
 class FramePainter {
  public:
-  // `context` is current and outlives this. Unless the camera says where it is, it shows all of `spots` in the area that
+  // `context` is current and outlives this. Unless the camera says where it is, it shows all of `outlook` in the area that
   // panels and caption leave free. Throws Error(bad_input) when it follows a body that does not exist.
   FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
-               std::span<const Spot> spots, int width, int height, const OverlayChoice& overlay,
+               const Outlook& outlook, int width, int height, const OverlayChoice& overlay,
                const CameraOption& camera, const Comparison& comparison = {});
 
   // Draws, and starts copying the picture back. `other`: the other run, or null; `apart`: how far the two are apart.
@@ -77,7 +77,8 @@ class FramePainter {
   std::string gl_renderer() const { return renderer_.gl_renderer(); }
 
  private:
-  void set_camera(const FrameView& first, std::span<const Spot> spots, std::size_t caption_lines);
+  void leave_out_far(const FrameView& view);
+  void set_camera(const FrameView& first, const Outlook& outlook, std::size_t caption_lines);
 
   std::shared_ptr<const Scene> scene_;
   int width_, height_;
@@ -85,7 +86,8 @@ class FramePainter {
   Overlay overlay_;
   OverlayChoice choice_;
   CameraOption camera_option_;
-  Camera base_camera_;
+  EasedCamera base_camera_;
+  std::vector<std::uint8_t> far_;  // see Outlook
   std::optional<Index> followed_;
   Vec3 follow_from_ = Vec3::Zero();  // where that body was in the first frame; m
   double start_time_;                // s

@@ -1,35 +1,21 @@
 // SPDX-License-Identifier: MIT
-// What a picture of a scene has to show: its bodies, and where they go.
+// Where cameras are so that a picture shows what a scene has to show.
 #pragma once
 
-#include <memory>
 #include <span>
 #include <vector>
 
 #include "app/frames/camera_option.h"
+#include "app/frames/outlook.h"
 #include "app/overlay/panel_layout.h"
-#include "app/session/frame_view.h"
 #include "render/visual/bounds.h"
 #include "render/visual/framing.h"
 #include "sim/scene/scene.h"
 
 namespace pabd {
 
-// Time that is looked ahead where nobody says how long a run is to be; s.
-inline constexpr double kLookAhead = 5;
-
 // From which side the scene wants to be seen, and with which field of view; how far away is for framing to say.
 Camera side_of(const Scene& scene);
-
-// What is to be seen of `start` and of `seconds` after it, found by simulating ahead, with longer steps if there would be
-// too many. With many bodies that ends early; bodies that still fall then are shown by the floor below them. Bodies that
-// leave for good count only where they start.
-std::vector<Spot> spots_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& start,
-                              double seconds);
-
-// The same of the start of a scene, so that all runs of it are seen from the same place.
-std::vector<Spot> scene_spots(const std::shared_ptr<const Scene>& scene, double seconds);
-inline double look_ahead_time(const Scene& scene) { return scene.duration.value_or(kLookAhead); }
 
 // What panels, and a caption of so many lines, leave free of a frame of so many pixels; all of it when that would be
 // too little for a picture.
@@ -39,6 +25,9 @@ PicturePart free_part(const PanelLayout& layout, std::size_t caption_lines, int 
 // `part`, at every time while it orbits. What the option says of eye and target is not looked at.
 Camera frame_view(const CameraOption& option, const Camera& side, std::span<const Spot> spots, double aspect,
                   const PicturePart& part);
+// Goes along with what the outlook shows where a camera that stands still would make it too small to be seen.
+EasedCamera frame_view(const CameraOption& option, const Camera& side, const Outlook& outlook, double aspect,
+                       const PicturePart& part);
 // The same direction, but so near that a body and some of its surroundings fill the part.
 Camera come_near(const CameraOption& option, const Camera& framed, const Spot& body, double aspect,
                  const PicturePart& part);
@@ -52,7 +41,7 @@ void show_on_device(const Model& model, const std::optional<BoundingSphere>& aro
 
 // The camera of a scene at its start, for pictures without a run.
 Camera scene_camera(const Scene& scene, double aspect);
-// And for pictures of how it ended: shows both. Bodies that left for good count only where they started.
+// And for pictures of how it ended: shows both, of bodies that do not matter (outlook.h) only the start.
 Camera scene_camera(const Scene& scene, const State& end, double aspect);
 
 }  // namespace pabd

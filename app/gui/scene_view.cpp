@@ -100,8 +100,9 @@ void look_as_scene(const Scene& scene, const Viewport& port, UiState& ui) {
   frame_spots(std::move(spots), like, port, ui);
 }
 
-void look_ahead(const std::shared_ptr<const Scene>& scene, const Viewport& port, UiState& ui) {
-  ui.scene_spots = std::make_shared<const std::vector<Spot>>(scene_spots(scene, look_ahead_time(*scene)));
+void frame_ahead(const std::shared_ptr<const Scene>& scene, const Viewport& port, UiState& ui) {
+  ui.scene_spots =
+      std::make_shared<const std::vector<Spot>>(look_ahead(scene, look_ahead_time(*scene)).all());
   look_as_scene(*scene, port, ui);
 }
 

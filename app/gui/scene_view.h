@@ -44,6 +44,6 @@ void reframe(const Viewport& port, UiState& ui);
 void look_as_scene(const Scene& scene, const Viewport& port, UiState& ui);
 
 // The same of a scene that was just loaded: what is to be seen of it is found first.
-void look_ahead(const std::shared_ptr<const Scene>& scene, const Viewport& port, UiState& ui);
+void frame_ahead(const std::shared_ptr<const Scene>& scene, const Viewport& port, UiState& ui);
 
 }  // namespace pabd

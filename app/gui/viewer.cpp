@@ -254,7 +254,7 @@ struct Viewer::Impl {
     }
     scene_serial = sim->scene_serial;
     if (sim->scene_path.empty() || sim->scene_path != followed) {  // else: the same one again
-      look_ahead(sim->scene, port(), ui);
+      frame_ahead(sim->scene, port(), ui);
       ui.fly = false;
     }
     followed = sim->scene_path;

@@ -61,8 +61,12 @@ std::vector<std::uint8_t> bodies_in_picture(const Model& model, const State& sta
 }
 
 std::optional<BoundingSphere> bounding_sphere(const Model& model, const State& state) {
-  const std::vector<std::uint8_t> in = bodies_in_picture(model, state);
-  return sphere_around(model, state, [&](Index i) { return in[static_cast<std::size_t>(i)] != 0; });
+  return bounding_sphere(model, state, bodies_in_picture(model, state));
+}
+
+std::optional<BoundingSphere> bounding_sphere(const Model& model, const State& state,
+                                              const std::vector<std::uint8_t>& marked) {
+  return sphere_around(model, state, [&](Index i) { return marked[static_cast<std::size_t>(i)] != 0; });
 }
 
 }  // namespace pabd

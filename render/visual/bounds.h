@@ -35,5 +35,8 @@ std::vector<std::uint8_t> bodies_in_picture(const Model& model, const State& sta
 // that are not much larger than the rest. Without a movable body: around the fixed ones. Planes never count.
 // Empty when nothing is left.
 std::optional<BoundingSphere> bounding_sphere(const Model& model, const State& state);
+// Around those bodies alone that are marked by 1, planes not.
+std::optional<BoundingSphere> bounding_sphere(const Model& model, const State& state,
+                                              const std::vector<std::uint8_t>& marked);
 
 }  // namespace pabd

@@ -11,90 +11,18 @@
 #include "app/frames/frame_painter.h"
 #include "app/frames/scene_framing.h"
 #include "app/session/session.h"
-#include "render/visual/bounds.h"
 #include "sim/base/error.h"
-#include "sim/body/shape_kind.h"
+#include "tests/frames/seen_bodies.h"
 #include "tests/support/places.h"
 
 namespace pabd::test_scene_framing {
+
+using namespace seen_bodies;
 
 namespace {
 
 constexpr struct { int width, height; } kFrames[] = {{1280, 720}, {720, 1280}, {900, 900}, {1680, 720}};
 constexpr const char* kCameras[] = {"", "front", "side", "top", "iso", "orbit:45", "ortho", "iso,ortho"};
-
-struct Extent {
-  double x0 = 1e9, y0 = 1e9, x1 = -1e9, y1 = -1e9;
-  float nearest = 1e9f;  // to the eye; negative: behind it
-  bool is_empty() const { return x0 > x1; }
-  void add(const Mat4f& clip, const Vec3& p) {
-    const Vec4f c = clip * p.cast<float>().homogeneous();
-    nearest = std::min(nearest, c.w());
-    const double x = 0.5 + 0.5 * c.x() / c.w(), y = 0.5 - 0.5 * c.y() / c.w();
-    x0 = std::min(x0, x), x1 = std::max(x1, x), y0 = std::min(y0, y), y1 = std::max(y1, y);
-  }
-};
-
-// The surface of a body by points of its own frame: an independent way to say where it is. Support points in many
-// directions where a shape has them, corners of parts else.
-std::vector<Vec3> surface_of(const Shape& shape) {
-  std::vector<Vec3> out;
-  std::vector<SurfacePart> parts;
-  kind_of(shape).surface(shape, parts);
-  for (const SurfacePart& part : parts) {
-    if (part.form == SurfaceForm::polyhedron) {
-      for (const Vec3& vertex : part.hull->data->vertices) out.push_back(part.at + vertex);
-      continue;
-    }
-    const int around = part.form == SurfaceForm::box ? 1 : 16;
-    for (int i = 0; i < 8; ++i) {
-      for (int k = 0; k < around; ++k) {
-        const double a = 2 * kPi * k / 16, b = kPi * (i / 7.0 - 0.5);
-        Vec3 p;
-        if (part.form == SurfaceForm::box) {
-          p = Vec3(i & 1 ? 1 : -1, i & 2 ? 1 : -1, i & 4 ? 1 : -1);
-        } else if (part.form == SurfaceForm::ball || part.form == SurfaceForm::half_ball) {
-          p = Vec3(std::cos(b) * std::cos(a), std::sin(b), std::cos(b) * std::sin(a));
-        } else {
-          p = Vec3(std::cos(a), part.form == SurfaceForm::cone ? 0 : i % 2 == 0 ? 1 : -1, std::sin(a));
-        }
-        out.push_back(part.at + part.size.cwiseProduct(p));
-      }
-    }
-  }
-  return out;
-}
-
-struct Start {
-  std::shared_ptr<const Scene> scene;
-  FrameView view;
-  std::vector<std::vector<Vec3>> surface;  // of the bodies that are in the picture; of others nothing
-};
-
-Start open_scene(std::shared_ptr<const Scene> scene) {
-  Start out;
-  out.scene = std::move(scene);
-  out.view = Session(out.scene).view();
-  const Model& model = out.scene->model;
-  const std::vector<std::uint8_t> seen = bodies_in_picture(model, out.scene->initial);
-  out.surface.resize(seen.size());
-  for (std::size_t i = 0; i < seen.size(); ++i)
-    if (seen[i]) out.surface[i] = surface_of(model.shape[i]);
-  return out;
-}
-Start open(const std::filesystem::path& file) {
-  return open_scene(std::make_shared<const Scene>(load_scene(file)));
-}
-
-Extent extent_of(const Camera& camera, double aspect, const Start& start, const State& state) {
-  const Mat4f clip =
-      projection_matrix(camera, static_cast<float>(aspect), 0.01f, 1000.0f) * view_matrix(camera);
-  Extent out;
-  for (std::size_t i = 0; i < start.surface.size(); ++i)
-    for (const Vec3& p : start.surface[i]) out.add(clip, state.c[i] + state.R[i] * p);
-  REQUIRE(out.nearest > 0);
-  return out;
-}
 
 std::vector<std::filesystem::path> scenes() {
   std::vector<std::filesystem::path> out;
@@ -152,7 +80,7 @@ TEST_CASE("bodies stay in the picture while they move, where looking ahead is ch
                            "bridge", "newtons_cradle", "chain_heavy_end", "shapes", "ragdoll"}) {
     const Start start = open(std::filesystem::path(places::scenes()) / (std::string(name) + ".json"));
     const double aspect = 16.0 / 9;
-    const std::vector<Spot> spots = spots_ahead(start.scene, start.view, 2);
+    const std::vector<Spot> spots = look_ahead(start.scene, start.view, 2).all();
     const Camera camera = fit_camera(spots, side_of(*start.scene), aspect);
     Session run(start.scene);
     // Steps of another length lead elsewhere in the end: by a hundredth of the picture.
@@ -196,7 +124,7 @@ TEST_CASE(
         const Start start = begin(ball(radius, {0, height + radius, 0}, {speed, 0, 0}));
         const double aspect = 16.0 / 9;
         const Camera camera =
-            fit_camera(spots_ahead(start.scene, start.view, 5), side_of(*start.scene), aspect);
+            fit_camera(look_ahead(start.scene, start.view, 5).all(), side_of(*start.scene), aspect);
         Session run(start.scene);
         while (run.state().time < 4.9) {
           const Extent seen = extent_of(camera, aspect, start, run.state());
@@ -215,7 +143,7 @@ TEST_CASE("a body that flies off makes the others no smaller") {
   std::string heap;
   for (int k = 0; k < 9; ++k) heap += ball(0.2, {0.5 * (k % 3), 0.21 + 0.5 * (k / 3), 0}) + ", ";
   const Start start = begin(heap + ball(0.2, {0.5, 2, 0}, {0, 0, -60}));
-  const Camera camera = fit_camera(spots_ahead(start.scene, start.view, 3), side_of(*start.scene), 1.5);
+  const Camera camera = fit_camera(look_ahead(start.scene, start.view, 3).all(), side_of(*start.scene), 1.5);
   const Extent seen = extent_of(camera, 1.5, start, start.scene->initial);
   CHECK(std::max(seen.x1 - seen.x0, seen.y1 - seen.y0) > 0.3);
 }
