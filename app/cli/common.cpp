@@ -127,7 +127,8 @@ Backend parse_backend(const std::string& name) {
   return Backend::automatic;
 }
 
-std::int64_t frame_count(const LengthOptions& length, const Scene& scene, double fps, bool with_end) {
+std::int64_t frame_count(const LengthOptions& length, const Scene& scene, double fps, bool with_end,
+                         const Pace& pace) {
   if (length.frames) {
     check_range("--frames", static_cast<double>(*length.frames), 1, kMostFrames);
     return *length.frames;
@@ -135,7 +136,7 @@ std::int64_t frame_count(const LengthOptions& length, const Scene& scene, double
   const double time = length.time.value_or(scene.duration.value_or(kDefaultTime));
   const std::string name = length.time || !scene.duration ? "--time" : "duration of the scene";
   check_range(name, time, 0, 1e6, "s");
-  const std::int64_t frames = steps_until(time, 1 / fps) + (with_end ? 1 : 0);
+  const std::int64_t frames = steps_until(pace.shown(time), 1 / fps) + (with_end ? 1 : 0);
   if (frames < 1) {
     throw Error(ErrorKind::bad_input,
                 fmt::format("{} {}: shorter than one frame; give at least {:.4g} s, or --frames 1", name,

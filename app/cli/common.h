@@ -11,6 +11,7 @@
 #include <string>
 #include <vector>
 
+#include "app/frames/pace.h"
 #include "render/context/context.h"
 #include "sim/base/available_cpus.h"
 
@@ -129,9 +130,10 @@ class Command {
 // "auto", "egl" or "osmesa".
 Backend parse_backend(const std::string& name);
 
-// Frames of `length` or, where it does not say, of the scene: with_end counts the one at the end, too. Throws
+// Frames at this pace of `length` or, where it does not say, of the scene: with_end counts the one at the end, too. Throws
 // Error(bad_input) for none or more than kMostFrames.
-std::int64_t frame_count(const LengthOptions& length, const Scene& scene, double fps, bool with_end);
+std::int64_t frame_count(const LengthOptions& length, const Scene& scene, double fps, bool with_end,
+                         const Pace& pace = {});
 
 inline constexpr int kBytesPerMegabyte = 1'000'000;
 // ", 3.1 MB": the size of a file that was written, for the end of a line; empty where it is not known.

@@ -38,6 +38,8 @@ struct RenderOptions {
   double fps = kFps;
   std::string size;  // empty: what suits the output
   std::string overlay = "none";
+  std::string caption;
+  std::string speed = "1";
   std::string camera;
   std::string backend = "auto";
   std::string device;
@@ -149,6 +151,8 @@ int render(const RenderOptions& asked) {
   CameraOption camera = parse_camera(options.camera);
   OverlayChoice overlay = parse_overlay(options.overlay);
   overlay.theme = &find_theme(options.theme);
+  overlay.caption = options.caption;
+  const Pace pace(options.speed);
   check_range("--trail-time", options.trail_time, 0.01, 1e6, "s");
   std::vector<TrailPoint> trail_points;
   for (const std::string& trail : options.trails) trail_points.push_back(parse_trail(trail, "--trail"));
@@ -159,10 +163,10 @@ int render(const RenderOptions& asked) {
   InputFiles inputs;
   Run a = open_run(options.scene, options.common, options.from, inputs);
   // A video of T seconds has T·fps frames, the last one a frame before T; a still shows the state at T.
-  const auto frames = frame_count(options.length, a.scene(), options.fps, is_still(out));
-  FrameRange range{0, static_cast<int>(frames), options.fps};
-  const double seconds = range.count / options.fps;
-  if (camera.whole_turn) camera.orbit = 360 / seconds;
+  const auto frames = frame_count(options.length, a.scene(), options.fps, is_still(out), pace);
+  FrameRange range{0, static_cast<int>(frames), options.fps, pace};
+  const double seconds = range.time(range.count - (is_still(out) ? 1 : 0));
+  if (camera.whole_turn && seconds > 0) camera.orbit = 360 / seconds;
   if (is_still(out)) range.first = range.count - 1;
   inputs.add(options.ab);
   if (!camera.keys.empty()) inputs.add(options.camera);
@@ -266,6 +270,7 @@ void add_render_command(CLI::App& app, Action& action) {
        "pabd render two_boxes -o 'frames/{frame:04}.png' --frames 120 --size 640x360 --resume",
        "pabd render pyramid -o last.png --time 2 --camera orbit:20 --set contact.N=8",
        "pabd render bridge -o bridge.gif --time 3 --loop 1",
+       "pabd render two_boxes -o slow.mp4 --speed 1,0.1:0.5-0.8 --caption 'two boxes, {time}'",
        "pabd render pile -o pile.mp4 --crf 14 --preset slow --quality best",
        "pabd render four_bar -o pen.mp4 --camera front,ortho --trail pen --overlay axes,scale",
        "pabd render stack -o ab.mp4 --ab softer.json --overlay params,series,difference",
@@ -280,9 +285,12 @@ void add_render_command(CLI::App& app, Action& action) {
   command.flag(kOutput, "--resume", options->resume, "go on with a sequence of frames that was cut short");
   command.length(options->length, "length (default: the duration of the scene, or 5 s)",
                  "frames a second (default 60; of a .gif 20)");
+  command.option(kOutput, "--speed", options->speed, speed_help(), "LIST");
   command.option(kOutput, "--size", options->size, "pixels (default 1280x720; of a .gif 640x360)", "WxH");
 
   command.option(kPicture, "--overlay", options->overlay, "comma-separated: " + overlay_help(), "LIST");
+  command.option(kPicture, "--caption", options->caption,
+                 "a line over the picture; {time} and {step} stand for the picture's", "TEXT");
   command.option(kPicture, "--camera", options->camera, camera_help(), "VIEW");
   command.option(kPicture, "--theme", options->theme, "light and background: " + theme_help(), "NAME");
   command.trail(options->trails, "");

@@ -76,7 +76,7 @@ AbPainter::AbPainter(GlContext& context, const std::shared_ptr<const Scene>& sce
   const Outlook outlook = outlook_of(scene, first.a, camera, seconds);
   const auto painter = [&](const FrameView& of, int w, const Comparison& comparison, bool is_b = false) {
     return std::make_unique<FramePainter>(context, is_b && scene_b ? scene_b : scene, of, outlook, w, height,
-                                          overlay, camera, comparison);
+                                          overlay, camera, seconds, comparison);
   };
   if (!first.b) {
     left_ = painter(first.a, width, {});
@@ -101,8 +101,8 @@ void AbPainter::set_quality(const RenderQuality& quality) {
 void AbPainter::draw(const Frame& frame, const BodiesOnDevice* on_device) {
   const double time = frame.a.state->time;
   const FrameView* b = frame.b ? &*frame.b : nullptr;
-  left_->draw(frame.a, b, frame.apart, time, on_device);
-  if (right_) right_->draw(*b, &frame.a, frame.apart, time);
+  left_->draw(frame.a, b, frame.apart, frame.span, time, on_device);
+  if (right_) right_->draw(*b, &frame.a, frame.apart, frame.span, time);
 }
 
 void AbPainter::fetch(Image& out) {

@@ -57,7 +57,7 @@ DeviceFilm::DeviceFilm(GlContext& context, const Run& start, const FrameRange& r
 std::optional<Frame> DeviceFilm::next(const Stop& stop) {
   while (next_ < range_.count) {
     const int frame = next_++;
-    if (!advance_to(first_step_ + step_of_frame(frame, range_.fps, view_.params.h), stop)) return {};
+    if (!advance_to(first_step_ + steps_until(range_.time(frame), view_.params.h), stop)) return {};
     if (frame >= range_.first) {
       view_.state = std::make_shared<const State>(now_);
       view_.history = reports_.view();

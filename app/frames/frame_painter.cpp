@@ -25,6 +25,17 @@ std::string mark_names() {
   return out;
 }
 
+// With the numbers of the picture for their names in braces.
+std::string with_numbers(std::string text, const State& state) {
+  const auto put = [&](std::string_view name, const std::string& value) {
+    for (auto at = text.find(name); at != text.npos; at = text.find(name, at + value.size()))
+      text.replace(at, name.size(), value);
+  };
+  put("{time}", fmt::format("{:.3f} s", state.time));
+  put("{step}", fmt::format("{}", state.step));
+  return text;
+}
+
 }  // namespace
 
 OverlayChoice parse_overlay(const std::string& text) {
@@ -75,7 +86,7 @@ std::string theme_help() {
 
 FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
                            const Outlook& outlook, int width, int height, const OverlayChoice& overlay,
-                           const CameraOption& camera, const Comparison& comparison)
+                           const CameraOption& camera, double seconds, const Comparison& comparison)
     : scene_(std::move(scene)),
       width_(width),
       height_(height),
@@ -87,22 +98,29 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
       camera_option_(camera),
       far_(outlook.far),
       start_time_(first.state->time),
-      ghost_(comparison.ghost) {
+      ghost_(comparison.ghost),
+      caption_(comparison.caption) {
   data_.scene_name = scene_->name;
   data_.axes = choice_.marks.axes;
   data_.scale = choice_.marks.scale;
   data_.joint_law = &scene_->joint_law;
-  data_.caption = comparison.caption;
+  data_.caption = caption_;
   data_.details = comparison.details;
   data_.view = &first;
-  set_camera(first, outlook, std::max(comparison.lines, comparison.details.size()));
+  data_.from = start_time_;
+  data_.to = start_time_ + seconds;
+  std::optional<std::size_t> caption;
+  if (!caption_.empty() || !choice_.caption.empty())
+    caption = std::max(comparison.lines, comparison.details.size());
+  set_camera(first, outlook, caption);
 }
 
-void FramePainter::set_camera(const FrameView& first, const Outlook& outlook, std::size_t caption_lines) {
+void FramePainter::set_camera(const FrameView& first, const Outlook& outlook,
+                              std::optional<std::size_t> caption) {
   followed_ = followed_body(camera_option_, *first.model);
   if (followed_) follow_from_ = first.state->c[static_cast<std::size_t>(*followed_)];
   const PicturePart part =
-      free_part(layout_panels(choice_.panels, data_, width_, height_), caption_lines, width_, height_);
+      free_part(layout_panels(choice_.panels, data_, width_, height_), caption, width_, height_);
   const double aspect = static_cast<double>(width_) / height_;
   base_camera_ = frame_view(camera_option_, side_of(*scene_), outlook, aspect, part);
   if (!followed_) return;
@@ -112,7 +130,7 @@ void FramePainter::set_camera(const FrameView& first, const Outlook& outlook, st
 }
 
 void FramePainter::draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
-                        double time, const BodiesOnDevice* on_device) {
+                        const ConvergenceSpan& span, double time, const BodiesOnDevice* on_device) {
   VisualOptions options;
   options.bonds = choice_.bonds;
   options.contacts = choice_.contacts;
@@ -135,8 +153,11 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   for (std::size_t k = 0; k < view.trails.size(); ++k)
     add_trail(view.trails[k].path, trail_color(k), visual_);
   data_.view = &view;
+  if (caption_.empty() && !choice_.caption.empty())
+    data_.caption = with_numbers(choice_.caption, *view.state);
   data_.other = other;
   data_.distances = apart;
+  data_.span = &span;
   const auto draw_on = [&](const PictureTheme& theme) {
     visual_.theme = &theme;
     renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_), quality_,

@@ -27,6 +27,7 @@ struct OverlayChoice {
   bool contacts = false;  // with the legend of their colours
   PictureMarks marks;
   const PictureTheme* theme = &kStudioTheme;  // never null
+  std::string caption = {};                   // of every picture; "{time}", "{step}": of that one
 
   bool needs_iterations() const { return panels.needing(&OverlayPanel::iterations) != nullptr; }
   bool needs_contacts() const {
@@ -60,16 +61,18 @@ struct BodiesOnDevice {
 class FramePainter {
  public:
   // `context` is current and outlives this. Unless the camera says where it is, it shows all of `outlook` in the area that
-  // panels and caption leave free. Throws Error(bad_input) when it follows a body that does not exist.
+  // panels and caption leave free. `seconds`: from the first picture to the end of the last one; 0: not known. Throws
+  // Error(bad_input) when it follows a body that does not exist.
   FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
                const Outlook& outlook, int width, int height, const OverlayChoice& overlay,
-               const CameraOption& camera, const Comparison& comparison = {});
+               const CameraOption& camera, double seconds, const Comparison& comparison = {});
 
-  // Draws, and starts copying the picture back. `other`: the other run, or null; `apart`: how far the two are apart.
+  // Draws, and starts copying the picture back. `other`: the other run, or null; `apart`: how far the two are apart. `span`:
+  // of all steps so far.
   // `time`: of the camera; s. `on_device`: where the bodies are, if not in the view; marks that need their places are not
   // drawn then.
-  void draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart, double time,
-            const BodiesOnDevice* on_device = nullptr);
+  void draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
+            const ConvergenceSpan& span, double time, const BodiesOnDevice* on_device = nullptr);
   // Of later pictures.
   void set_quality(const RenderQuality& quality) { quality_ = quality; }
   int queued() const { return renderer_.queued() + static_cast<int>(mattes_.size()); }
@@ -78,7 +81,7 @@ class FramePainter {
 
  private:
   void leave_out_far(const FrameView& view);
-  void set_camera(const FrameView& first, const Outlook& outlook, std::size_t caption_lines);
+  void set_camera(const FrameView& first, const Outlook& outlook, std::optional<std::size_t> caption);
 
   std::shared_ptr<const Scene> scene_;
   int width_, height_;
@@ -92,6 +95,7 @@ class FramePainter {
   Vec3 follow_from_ = Vec3::Zero();  // where that body was in the first frame; m
   double start_time_;                // s
   bool ghost_;
+  std::string caption_;  // of a comparison
   RenderQuality quality_;
   OverlayData data_;  // what all frames have in common
   VisualScene visual_;

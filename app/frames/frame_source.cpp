@@ -40,7 +40,7 @@ Frame make_frame(int number, FrameView a, std::optional<FrameView> b, const Dist
     a.label = std::string("A");
     b->label = std::string("B");
   }
-  return {number, std::move(a), std::move(b), apart.view()};
+  return {number, std::move(a), std::move(b), {}, apart.view()};
 }
 
 RunSource::RunSource(Run a, std::optional<Run> b, const TrailRecorder& trails) : a_{std::move(a), trails} {
@@ -51,6 +51,51 @@ FrameView RunSource::Shown::view() const {
   FrameView out = run.view();
   out.history = reports.view();
   out.trails = trails.trails();
+  return out;
+}
+
+void RunSource::Shown::widen_span() {
+  const StepReport& report = run.report();
+  if (!report.records.empty()) widen(span, report, !run.model().joints.empty());
+}
+
+void RunSource::Shown::remember() {
+  before = std::move(now);
+  now = {};
+  now.time = run.state().time;
+  now.c = run.state().c;
+  now.R = run.state().R;
+}
+
+FrameView RunSource::Shown::view_at(double time) const {
+  FrameView out = view();
+  if (before.c.size() != now.c.size()) return out;
+  const double u = std::clamp((time - before.time) / (now.time - before.time), 0.0, 1.0);
+  State state = *out.state;
+  state.time = time;
+  for (std::size_t i = 0; i < now.c.size(); ++i) {
+    state.c[i] = (1 - u) * before.c[i] + u * now.c[i];
+    state.R[i] = Quat(before.R[i]).slerp(u, Quat(now.R[i])).toRotationMatrix();
+  }
+  const auto carry = [&](Index body, Vec3& p) {
+    if (body < 0 || body >= state.size()) return;
+    const auto i = static_cast<std::size_t>(body);
+    p = state.c[i] + state.R[i] * (now.R[i].transpose() * (p - now.c[i]));
+  };
+  for (ContactReport& contact : out.report.contact_reports) {
+    carry(contact.a, contact.y_a);
+    carry(contact.b, contact.y_b);
+  }
+  out.state = std::make_shared<const State>(std::move(state));
+  return out;
+}
+
+Frame RunSource::frame(int number, FrameView a, std::optional<FrameView> b) const {
+  Frame out = make_frame(number, std::move(a), std::move(b), apart_);
+  out.span = a_.span;
+  if (!b_) return out;
+  out.span = {std::max(a_.span.iterations, b_->span.iterations), std::min(a_.span.lo, b_->span.lo),
+              std::max(a_.span.hi, b_->span.hi)};
   return out;
 }
 
@@ -73,8 +118,11 @@ LiveSource::LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Ski
       range_(range),
       skipped_(std::move(skipped)),
       first_step_(a_.run.state().step) {
-  a_.trails.add(a_.run.model(), a_.run.state());
-  if (b_) b_->trails.add(b_->run.model(), b_->run.state());
+  for (Shown* shown : {&a_, b_ ? &*b_ : nullptr}) {
+    if (!shown) continue;
+    shown->trails.add(shown->run.model(), shown->run.state());
+    shown->remember();
+  }
 }
 
 std::optional<Frame> LiveSource::next(const Stop& stop) {
@@ -83,11 +131,20 @@ std::optional<Frame> LiveSource::next(const Stop& stop) {
   drop_old_distances();
   while (next_ < range_.count) {
     const int frame = next_++;
-    if (!advance_to(first_step_ + step_of_frame(frame, range_.fps, a_.run.params().h), stop)) return {};
+    const double h = a_.run.params().h, time = range_.time(frame);
+    const std::int64_t steps = steps_until(time, h);
+    const double left = time - h * static_cast<double>(steps);
+    const bool between = !range_.pace.is_real_time() && left > forgiven(time, h);
+    if (!advance_to(first_step_ + steps + (between ? 1 : 0), stop)) return {};
+    a_.widen_span();
+    if (b_) b_->widen_span();
     if (frame >= range_.first) {
+      const auto view = [&](const Shown& shown) {
+        return between ? shown.view_at(a_.run.state().time - h + left) : shown.view();
+      };
       std::optional<FrameView> b;
-      if (b_) b = b_->view();
-      return make_frame(frame, a_.view(), std::move(b), apart_);
+      if (b_) b = view(*b_);
+      return RunSource::frame(frame, view(a_), std::move(b));
     }
     if (skipped_) skipped_(frame + 1, a_.run.report());
   }
@@ -95,8 +152,9 @@ std::optional<Frame> LiveSource::next(const Stop& stop) {
 }
 
 bool LiveSource::advance_to(std::int64_t step, const Stop& stop) {
-  const auto made = [](Shown& shown) {
+  const auto made = [this](Shown& shown) {
     add_report(shown.reports, shown.run.report().summary());
+    if (!range_.pace.is_real_time()) shown.remember();
     shown.trails.add(shown.run.model(), shown.run.state());
   };
   while (a_.run.state().step < step) {
@@ -182,6 +240,7 @@ std::optional<Frame> PastSource::next(const Stop& stop) {
       if (!run.timeline()[i].start) add_report(shown.reports, run.timeline()[i].report);
     }
     last = std::max(last, run.cursor());
+    shown.widen_span();
     shown.trails.add(run.model(), run.state());
     FrameView out = shown.view();
     out.params = params_at(run.timeline(), run.cursor());
@@ -190,7 +249,7 @@ std::optional<Frame> PastSource::next(const Stop& stop) {
   };
   std::optional<FrameView> b;
   if (b_) b = view(*b_, last_b_);
-  return make_frame(frame, view(a_, last_a_), std::move(b), apart_);
+  return RunSource::frame(frame, view(a_, last_a_), std::move(b));
 }
 
 }  // namespace pabd

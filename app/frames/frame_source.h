@@ -7,6 +7,8 @@
 #include <optional>
 #include <vector>
 
+#include "app/frames/pace.h"
+#include "app/plots/figures/convergence.h"
 #include "app/plots/figures/difference.h"
 #include "app/session/frame_view.h"
 #include "app/session/run.h"
@@ -20,6 +22,7 @@ struct Frame {
   int number = 0;  // from 0
   FrameView a;
   std::optional<FrameView> b;  // a second run at the time of the first one
+  ConvergenceSpan span = {};   // of the steps up to here whose iterations are recorded, of both runs
   DistanceList::View apart;    // how far the two are from each other at common times; oldest first
 };
 
@@ -44,14 +47,20 @@ class RunSource : public FrameSource {
     Run run;
     TrailRecorder trails;
     ReportList reports = {};
+    ConvergenceSpan span = {};
 
     FrameView view() const;
+    void widen_span();                     // by the last step
+    void remember();                       // that step, and the one before it
+    FrameView view_at(double time) const;  // between the two
+    State before = {}, now = {};
   };
 
   RunSource(Run a, std::optional<Run> b, const TrailRecorder& trails);
 
   // Bounds the list of distances; to be called before each frame.
   void drop_old_distances();
+  Frame frame(int number, FrameView a, std::optional<FrameView> b) const;
   // Adds how far the two runs are apart, if they are at a common time.
   void measure_distance();
 
@@ -66,9 +75,13 @@ struct FrameRange {
   int first = 0;
   int count = 0;
   double fps = 60;
+  Pace pace = {};
+
+  double time(int frame) const { return pace.simulated(frame / fps); }  // simulated since the first frame; s
 };
 
-// Frames that are simulated as they are asked for.
+// Frames that are simulated as they are asked for. In slow motion bodies, with their contacts, are on their way from one step
+// to the next.
 class LiveSource : public RunSource {
  public:
   using Skipped = std::function<void(int frames, const StepSummary& step)>;

@@ -95,9 +95,12 @@ SinkOptions sink_options(const FrameView& start, const PngText& common, const Fr
   const double h = start.params.h;
   // A still is the only frame that its file sees, but not the first one of the run.
   const int skipped = range.first - first_written;
-  options.png_text = [common, start_time, h, skipped, fps = range.fps](int written) {
+  options.png_text = [common, start_time, h, skipped, range](int written) {
     const int frame = written + skipped;
-    return frame_text(common, frame, start_time + h * static_cast<double>(step_of_frame(frame, fps, h)));
+    const double time = range.time(frame);
+    return frame_text(
+        common, frame,
+        start_time + (range.pace.is_real_time() ? h * static_cast<double>(steps_until(time, h)) : time));
   };
   return options;
 }

@@ -32,13 +32,13 @@ Camera side_of(const Scene& scene) {
   return camera;
 }
 
-PicturePart free_part(const PanelLayout& layout, std::size_t caption_lines, int width, int height) {
+PicturePart free_part(const PanelLayout& layout, std::optional<std::size_t> caption, int width, int height) {
   const double w = width, h = height;
   Rect free = layout.panels.empty() ? Rect{0, 0, w, h} : layout.free;
-  if (caption_lines > 0) {
-    const double caption = std::min(caption_height(layout.scale, caption_lines), 0.5 * free.h);
-    free.y += caption;
-    free.h -= caption;
+  if (caption) {
+    const double high = std::min(caption_height(layout.scale, *caption), 0.5 * free.h);
+    free.y += high;
+    free.h -= high;
   }
   if (free.w < kLeastPart * w || free.h < kLeastPart * h) return {};
   return {free.x / w, free.y / h, free.w / w, free.h / h};

@@ -17,9 +17,9 @@ namespace pabd {
 // From which side the scene wants to be seen, and with which field of view; how far away is for framing to say.
 Camera side_of(const Scene& scene);
 
-// What panels, and a caption of so many lines, leave free of a frame of so many pixels; all of it when that would be
+// What panels, and a caption with so many details, leave free of a frame of so many pixels; all of it when that would be
 // too little for a picture.
-PicturePart free_part(const PanelLayout& layout, std::size_t caption_lines, int width, int height);
+PicturePart free_part(const PanelLayout& layout, std::optional<std::size_t> caption, int width, int height);
 
 // The camera of the first frame: from the side that the option names, or else as `side` looks, all spots are seen in
 // `part`, at every time while it orbits. What the option says of eye and target is not looked at.

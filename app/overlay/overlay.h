@@ -11,6 +11,7 @@
 
 #include "app/overlay/panel_layout.h"
 #include "app/plots/canvas.h"
+#include "app/plots/figures/convergence.h"
 #include "app/plots/figures/difference.h"
 #include "app/session/frame_view.h"
 #include "render/visual/visual_scene.h"
@@ -28,6 +29,10 @@ struct OverlayData {
   const BondLaw* joint_law = nullptr;  // of joints that say nothing of their own, κ resolved
 
   bool axes = false, scale = false;  // view_marks.h
+
+  // What is known of the whole video: its time, s, and its iterations. Nothing: axes fit what they show.
+  double from = 0, to = 0;
+  const ConvergenceSpan* span = nullptr;
 
   // Of two runs beside each other. The caption is one line in larger letters, the details follow below it.
   std::string caption{};

@@ -26,7 +26,8 @@ void paint_caption(const PanelLayout& layout, const OverlayData& data, Canvas& c
   const Rect& free = layout.free;
   const double most = free.w - 4 * kPad * s;
   if (!(most > 0)) return;
-  const double letter = kLetter * s, text = kTitle * s;
+  const double wide = text_width(canvas.font(), data.caption, kLetter * s);
+  const double letter = kLetter * s * std::min(1.0, most / wide), text = kTitle * s;
   std::vector<std::string> lines;
   for (const std::string& detail : data.details) {
     for (std::string& line : wrap_text(canvas.font(), detail, text, most)) lines.push_back(std::move(line));

@@ -29,6 +29,12 @@ std::size_t joints_of(const OverlayData& data) {
   return data.view && data.view->model ? data.view->model->joints.size() : 0;
 }
 
+void hold_time(const OverlayData& data, Plot& plot) {
+  if (!(data.from < data.to)) return;
+  plot.x.lo = data.from;
+  plot.x.hi = data.to;
+}
+
 Plot empty_plot(const std::string& title) {
   Plot plot;
   plot.title = title;

@@ -38,6 +38,9 @@ void paint_plot_of(const Rect& rect, double scale, const OverlayData& data, Canv
 // Joints of the model that is shown.
 std::size_t joints_of(const OverlayData& data);
 
+// Over the whole video, where its time is known.
+void hold_time(const OverlayData& data, Plot& plot);
+
 // Of a plot whose data is not there.
 Plot empty_plot(const std::string& title);
 

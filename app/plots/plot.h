@@ -112,6 +112,9 @@ struct Plot {
   std::string caption;           // small, below: what it is of
 };
 
+// Said by plots of a run that has not begun.
+inline constexpr const char* kBeforeSteps = "begins with the first step";
+
 struct PlotRange {
   double lo, hi;
 };

@@ -47,7 +47,7 @@ TEST_CASE("all shipped scenes are whole in every frame, fill it and are in the m
         data.view = &start.view;
         const PanelLayout layout =
             layout_panels(parse_overlay(overlay).panels, data, frame.width, frame.height);
-        const PicturePart part = free_part(layout, 0, frame.width, frame.height);
+        const PicturePart part = free_part(layout, std::nullopt, frame.width, frame.height);
         for (const char* name : kCameras) {
           CAPTURE(file.stem().string(), frame.width, frame.height, overlay, name);
           const CameraOption option = parse_camera(name);

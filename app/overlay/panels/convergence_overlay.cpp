@@ -11,7 +11,11 @@ using namespace overlay_style;
 
 Plot convergence_plot(const OverlayData& data) {
   if (!data.view) return empty_plot("Convergence of the last step");
-  const auto of = [&](const FrameView& view) { return convergence_plot(view.report, joints_of(data) > 0); };
+  const auto of = [&](const FrameView& view) {
+    Plot plot = convergence_plot(view.report, joints_of(data) > 0);
+    if (data.span) hold_axes(*data.span, plot);
+    return plot;
+  };
   Plot plot = of(*data.view);
   plot.caption = caption_of(data);
   if (!data.other) return plot;

@@ -11,6 +11,7 @@ using namespace overlay_style;
 Plot difference_plot(const OverlayData& data) {
   Plot plot = difference_series_plot({}, {}, DifferenceQuantity::distance, data.distances);
   plot.caption = caption_of(data);
+  hold_time(data, plot);
   return plot;
 }
 

@@ -18,6 +18,7 @@ Plot time_plot(const OverlayData& data) {
   Plot plot = data.other ? time_series_plot(view->history, d_hat, joints, data.other->history)
                          : time_series_plot(view->history, d_hat, joints);
   plot.caption = caption_of(data);
+  hold_time(data, plot);
   if (data.other) plot.title = fmt::format("Over time: {} solid, {} dashed", view->label, data.other->label);
   return plot;
 }

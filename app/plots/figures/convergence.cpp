@@ -246,6 +246,7 @@ std::string why_no_iterations(const StepReport& report) {
 Plot convergence_plot(const StepReport& report, bool joints) {
   const Records& records = report.records;
   Plot plot = iteration_plot("Convergence of the last step", "", true);
+  if (report.step == 0) plot.none = kBeforeSteps;
   if (report.step > 0 && report.iterations == 0 && report.status == StepStatus::converged)
     plot.none = why_no_iterations(report);
   plot.series = {
@@ -259,6 +260,28 @@ Plot convergence_plot(const StepReport& report, bool joints) {
           [](const IterationRecord& r) { return r.max_penetration_after; }, 1)};
   if (joints) plot.series.push_back(iteration_curve(quantities::joints.axis, records, joint_error, 3));
   return plot;
+}
+
+void widen(ConvergenceSpan& span, const StepReport& report, bool joints) {
+  span.iterations = std::max(span.iterations, static_cast<int>(report.records.size()));
+  for (const Series& series : convergence_plot(report, joints).series) {
+    for (const double y : series.y) {
+      if (!(y > 0) || !std::isfinite(y)) continue;
+      span.lo = std::min(span.lo, y);
+      span.hi = std::max(span.hi, y);
+    }
+  }
+}
+
+void hold_axes(const ConvergenceSpan& span, Plot& plot) {
+  constexpr double kMostDecades = 16;
+  if (!(span.hi > 0)) return;
+  plot.x.lo = 1;
+  plot.x.hi = std::max(2, span.iterations);
+  const double top = std::ceil(std::log10(span.hi));
+  plot.y.lo =
+      std::pow(10.0, std::max(std::min(std::floor(std::log10(span.lo)), top - 1), top - kMostDecades));
+  plot.y.hi = std::pow(10.0, top);
 }
 
 std::vector<MethodRun> run_methods(const Model& model, const Params& params, const State& state,

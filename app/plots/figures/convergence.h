@@ -64,6 +64,14 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
 
 // All of the above for one step in one small plot, log axis; the joint error when the scene has `joints`.
 Plot convergence_plot(const StepReport& report, bool joints = false);
+// What that plot shows of many steps, for axes that hold in a video.
+struct ConvergenceSpan {
+  int iterations = 0;                                           // most of a step
+  double lo = std::numeric_limits<double>::infinity(), hi = 0;  // positive values of all curves
+};
+void widen(ConvergenceSpan& span, const StepReport& report, bool joints);
+// Decades, sixteen at most, that hold all; as it is where nothing is known.
+void hold_axes(const ConvergenceSpan& span, Plot& plot);
 // Of a step that was solved where it started.
 std::string why_no_iterations(const StepReport& report);
 

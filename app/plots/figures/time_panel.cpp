@@ -161,6 +161,7 @@ Figure time_series_figure(std::span<const StepSummary> history) {
 Plot time_series_plot(std::span<const StepSummary> history, double d_hat, bool joints,
                       std::span<const StepSummary> other) {
   Plot plot = time_plot("Over time", "");
+  if (history.empty()) plot.none = kBeforeSteps;
   // An axis stands only where there is something on it: what never overlapped has no penetration.
   const auto any = [&](double StepSummary::*value) {
     const auto shows = [&](R r) { return std::isfinite(r.*value) && r.*value > 0; };
