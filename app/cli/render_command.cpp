@@ -52,6 +52,7 @@ struct RenderOptions {
   std::string encoder = "software";
   VideoOptions video;
   std::string theme = "studio";
+  std::string color_by = kColorNames[0];
   std::vector<std::string> trails;
   double trail_time = kTrailTime;
 };
@@ -153,6 +154,7 @@ int render(const RenderOptions& asked) {
   overlay.theme = &find_theme(options.theme);
   overlay.caption = options.caption;
   const Pace pace(options.speed);
+  overlay.color_by(color_quantity(options.color_by));
   check_range("--trail-time", options.trail_time, 0.01, 1e6, "s");
   std::vector<TrailPoint> trail_points;
   for (const std::string& trail : options.trails) trail_points.push_back(parse_trail(trail, "--trail"));
@@ -171,16 +173,18 @@ int render(const RenderOptions& asked) {
   inputs.add(options.ab);
   if (!camera.keys.empty()) inputs.add(options.camera);
   for (const TrailPoint& point : trail_points) check_trail(point, a.model(), "--trail");
-  a.observe(overlay.needs_iterations(), overlay.needs_contacts());
+  const StepOptions wanted{.record_iterations = overlay.needs_iterations(),
+                           .report_contacts = overlay.needs_contacts(),
+                           .report_bodies = overlay.needs_bodies()};
+  a.observe(wanted.record_iterations, wanted.report_contacts, wanted.report_bodies);
   std::optional<Run> b;
   if (!options.ab.empty()) {
     b.emplace(open_patched(options, a, inputs));
-    b->observe(overlay.needs_iterations(), overlay.needs_contacts());
+    b->observe(wanted.record_iterations, wanted.report_contacts, wanted.report_bodies);
   }
   const Backend backend = parse_backend(options.backend);
-  const DeviceChoices device = choose_devices(
-      options.device, backend, options.scene, a, b ? &*b : nullptr,
-      {.record_iterations = overlay.needs_iterations(), .report_contacts = overlay.needs_contacts()});
+  const DeviceChoices device =
+      choose_devices(options.device, backend, options.scene, a, b ? &*b : nullptr, wanted);
   const bool filmed = device.a.gpu && !b && trail_points.empty() && DeviceFilm::shows_all(a, overlay, camera);
   if (!filmed) solve_by(device, backend, a, b ? &*b : nullptr);
   std::optional<FrameView> start_b;
@@ -202,6 +206,7 @@ int render(const RenderOptions& asked) {
                    .gl_renderer = painter.gl_renderer(),
                    .quality = options.quality,
                    .theme = options.theme,
+                   .color_by = options.color_by,
                    .trails = options.trails},
                   start.a, start.b ? &*start.b : nullptr, options.ab_view, b ? &b->scene() : nullptr);
   if (device.a.gpu) common["Device"] = device.a.name;
@@ -243,9 +248,11 @@ int render(const RenderOptions& asked) {
     result = render_film(*film, painter, sink, watch);
     if (film->diverged()) diverged = {*film->diverged(), false};
   } else {
-    LiveSource source(std::move(a), std::move(b), range, show,
+    FrameRange seen = range;
+    if (options.resume && overlay.remembers()) seen.first = 0;
+    LiveSource source(std::move(a), std::move(b), seen, show,
                       TrailRecorder(std::move(trail_points), options.trail_time));
-    result = render_frames(source, painter, sink, watch);
+    result = render_frames(source, painter, sink, watch, range.first);
     diverged = source.diverged();
   }
   progress.reset();  // what follows has a line of its own
@@ -269,7 +276,7 @@ void add_render_command(CLI::App& app, Action& action) {
       {"pabd render pyramid -o pyramid.mp4 --time 5 --overlay plots,contacts",
        "pabd render two_boxes -o 'frames/{frame:04}.png' --frames 120 --size 640x360 --resume",
        "pabd render pyramid -o last.png --time 2 --camera orbit:20 --set contact.N=8",
-       "pabd render bridge -o bridge.gif --time 3 --loop 1",
+       "pabd render bridge -o bridge.gif --time 3 --loop 1", "pabd render pile -o speed.mp4 --color-by speed",
        "pabd render two_boxes -o slow.mp4 --speed 1,0.1:0.5-0.8 --caption 'two boxes, {time}'",
        "pabd render pile -o pile.mp4 --crf 14 --preset slow --quality best",
        "pabd render four_bar -o pen.mp4 --camera front,ortho --trail pen --overlay axes,scale",
@@ -291,6 +298,10 @@ void add_render_command(CLI::App& app, Action& action) {
   command.option(kPicture, "--overlay", options->overlay, "comma-separated: " + overlay_help(), "LIST");
   command.option(kPicture, "--caption", options->caption,
                  "a line over the picture; {time} and {step} stand for the picture's", "TEXT");
+  command.word(kPicture, "--color-by", options->color_by, {std::begin(kColorNames), std::end(kColorNames)},
+               "what colours of bodies say, with a legend; body: nothing but which is which (default); "
+               "projection: ‖A − R‖; speed, m/s; energy, J: kinetic and of contacts; component: bodies that "
+               "are solved together");
   command.option(kPicture, "--camera", options->camera, camera_help(), "VIEW");
   command.option(kPicture, "--theme", options->theme, "light and background: " + theme_help(), "NAME");
   command.trail(options->trails, "");

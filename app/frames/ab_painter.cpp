@@ -105,6 +105,11 @@ void AbPainter::draw(const Frame& frame, const BodiesOnDevice* on_device) {
   if (right_) right_->draw(*b, &frame.a, frame.apart, frame.span, time);
 }
 
+void AbPainter::look_at(const Frame& frame) {
+  left_->look_at(frame.a, frame.b ? &*frame.b : nullptr);
+  if (right_) right_->look_at(*frame.b, &frame.a);
+}
+
 void AbPainter::fetch(Image& out) {
   if (!right_) {
     left_->fetch(out);

@@ -28,6 +28,7 @@ class AbPainter {
   void set_quality(const RenderQuality& quality);  // of the pictures that follow
   // And starts copying it back. `on_device`: as FramePainter; not with two runs.
   void draw(const Frame& frame, const BodiesOnDevice* on_device = nullptr);
+  void look_at(const Frame& frame);  // one that is not drawn; as FramePainter
   int queued() const { return left_->queued(); }
   void fetch(Image& out);  // the oldest picture that was drawn; precondition: queued() > 0
   std::string gl_renderer() const { return left_->gl_renderer(); }

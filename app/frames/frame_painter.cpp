@@ -62,6 +62,11 @@ OverlayChoice parse_overlay(const std::string& text) {
   return choice;
 }
 
+void OverlayChoice::color_by(ColorQuantity quantity) {
+  color = quantity;
+  if (quantity != ColorQuantity::body) panels.show_with(PictureLayer::body_colors);
+}
+
 std::string overlay_help() {
   std::string out =
       panel_help() +
@@ -109,6 +114,8 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
   data_.view = &first;
   data_.from = start_time_;
   data_.to = start_time_ + seconds;
+  data_.colors = &colors_;
+  look_at(first, nullptr);  // for the legend's place
   std::optional<std::size_t> caption;
   if (!caption_.empty() || !choice_.caption.empty())
     caption = std::max(comparison.lines, comparison.details.size());
@@ -129,6 +136,10 @@ void FramePainter::set_camera(const FrameView& first, const Outlook& outlook,
   base_camera_ = EasedCamera(come_near(camera_option_, all, {follow_from_, radius}, aspect, part));
 }
 
+void FramePainter::look_at(const FrameView& view, const FrameView* other) {
+  colors_ = body_colors(view, other, choice_.color, colors_.largest);
+}
+
 void FramePainter::draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
                         const ConvergenceSpan& span, double time, const BodiesOnDevice* on_device) {
   VisualOptions options;
@@ -138,6 +149,9 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   options.velocities = choice_.marks.velocities;
   options.boxes = choice_.marks.boxes;
   options.looks = looks_of(*scene_, *view.model);
+  look_at(view, other);
+  options.values = colors_.values;
+  options.value_range = colors_.range;
   Vec3 way = Vec3::Zero();
   if (followed_ && *followed_ < view.state->size() && has_finite_pose(*view.state, *followed_))
     way = view.state->c[static_cast<std::size_t>(*followed_)] - follow_from_;

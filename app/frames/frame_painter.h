@@ -26,6 +26,7 @@ struct OverlayChoice {
   bool bonds = false;
   bool contacts = false;  // with the legend of their colours
   PictureMarks marks;
+  ColorQuantity color = ColorQuantity::body;
   const PictureTheme* theme = &kStudioTheme;  // never null
   std::string caption = {};                   // of every picture; "{time}", "{step}": of that one
 
@@ -33,6 +34,10 @@ struct OverlayChoice {
   bool needs_contacts() const {
     return bonds || contacts || panels.needing(&OverlayPanel::contacts) != nullptr;
   }
+  bool needs_bodies() const { return needs_body_reports(color); }
+  // Colours mean what they meant in all frames before: these must have been seen.
+  bool remembers() const { return color != ColorQuantity::body; }
+  void color_by(ColorQuantity quantity);  // bodies, with a legend
 };
 
 // Comma-separated names of panels, "bonds", "contacts", "plots", "all" or "none". Throws Error(bad_input).
@@ -73,6 +78,8 @@ class FramePainter {
   // drawn then.
   void draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
             const ConvergenceSpan& span, double time, const BodiesOnDevice* on_device = nullptr);
+  // A frame that is not drawn: colours take its values into their range, as draw() does.
+  void look_at(const FrameView& view, const FrameView* other);
   // Of later pictures.
   void set_quality(const RenderQuality& quality) { quality_ = quality; }
   int queued() const { return renderer_.queued() + static_cast<int>(mattes_.size()); }
@@ -97,6 +104,7 @@ class FramePainter {
   bool ghost_;
   std::string caption_;  // of a comparison
   RenderQuality quality_;
+  BodyColors colors_;
   OverlayData data_;  // what all frames have in common
   VisualScene visual_;
   std::deque<Image> mattes_;  // of a transparent theme: drawn twice and put together at once

@@ -194,7 +194,7 @@ std::vector<std::size_t> moments_of_frames(const Timeline& timeline, const PastR
 }
 
 PastSource::PastSource(Run a, std::optional<Run> b, const PastRange& range, bool iterations, bool contacts,
-                       const TrailRecorder& trails)
+                       const TrailRecorder& trails, bool bodies)
     : RunSource(std::move(a), std::move(b), trails), moments_(moments_of_frames(a_.run.timeline(), range)) {
   const Timeline& timeline = a_.run.timeline();
   const std::size_t first = moments_.front();
@@ -206,10 +206,10 @@ PastSource::PastSource(Run a, std::optional<Run> b, const PastRange& range, bool
                                           : timeline[m].report.time);
   }
   last_a_ = first;
-  a_.run.observe(iterations, contacts);
+  a_.run.observe(iterations, contacts, bodies);
   if (!b_) return;
   last_b_ = moment_in_step(timeline, first, b_->run.timeline());
-  b_->run.observe(iterations, contacts);
+  b_->run.observe(iterations, contacts, bodies);
 }
 
 // A to a moment. B is taken along from each moment to the next, as their distance is measured at all of them.

@@ -123,10 +123,10 @@ std::vector<std::size_t> moments_of_frames(const Timeline& timeline, const PastR
 // They are the frames that LiveSource simulates.
 class PastSource : public RunSource {
  public:
-  // `iterations`, `contacts`: what reports contain. The parameters of a frame are those of its last step. `trails`: what
+  // `iterations`, `contacts`, `bodies`: what reports contain. The parameters of a frame are those of its last step. `trails`: what
   // leaves a trail, from frame to frame.
   PastSource(Run a, std::optional<Run> b, const PastRange& range, bool iterations, bool contacts,
-             const TrailRecorder& trails = {});
+             const TrailRecorder& trails = {}, bool bodies = false);
 
   std::optional<Frame> next(const Stop& stop) override;
 

@@ -54,13 +54,22 @@ RenderResult finished(RenderResult result, AsyncSink& sink, Clock::time_point st
 
 }  // namespace
 
-RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink,
-                           const RenderWatch& watch) {
+RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink, const RenderWatch& watch,
+                           int first) {
   const auto start = Clock::now();
   RenderResult result;
   FrameThread frames(source, watch.stop);
-  draw_frames([&] { return frames.next(true); }, [&](const Frame& frame) { painter.draw(frame); }, painter,
-              sink, watch, result);
+  const auto next = [&] {
+    auto frame = frames.next(true);
+    while (frame && frame->number < first && !watch.stop()) {
+      painter.look_at(*frame);
+      watch.progress(frame->number + 1, frame->a.report);
+      frame = frames.next(true);
+    }
+    return frame;
+  };
+  draw_frames(
+      next, [&](const Frame& frame) { painter.draw(frame); }, painter, sink, watch, result);
   frames.stop();
   return finished(result, sink, start, frames.busy_seconds());
 }

@@ -36,9 +36,9 @@ struct RenderWatch {
 };
 
 // Renders the frames of a source and publishes the output, also when it is stopped early, with the frames that are
-// complete. Throws what a stage threw.
-RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink,
-                           const RenderWatch& watch);
+// complete. Frames before `first` are looked at, but not drawn. Throws what a stage threw.
+RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink, const RenderWatch& watch,
+                           int first = 0);
 
 // The same for a film, whose steps are made in the caller's thread between the pictures.
 RenderResult render_film(DeviceFilm& film, AbPainter& painter, AsyncSink& sink, const RenderWatch& watch);

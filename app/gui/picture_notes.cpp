@@ -9,7 +9,6 @@
 #include <cmath>
 #include <filesystem>
 
-#include "app/gui/body_colors.h"
 #include "app/gui/inspector_rows.h"
 #include "app/gui/panels.h"
 #include "app/gui/pictures.h"
@@ -46,7 +45,7 @@ ImU32 map_color(double t) {
 }
 
 void legend(const GuiFrame& f, const Rect& view) {
-  const BodyColors colors = body_colors(f.sim, Side::a, f.ui.color);
+  const BodyColors colors = body_colors(f.sim.a, f.sim.b ? &*f.sim.b : nullptr, f.ui.color);
   if (colors.values.empty() || view.w < 220 * f.unit) return;
   const float right = static_cast<float>(view.right()) - f.px(12),
               top = static_cast<float>(view.y) + f.px(12);
@@ -68,12 +67,8 @@ void legend(const GuiFrame& f, const Rect& view) {
                        map_color((i + 0.5) / kPieces));
   }
   const float below = bar_top + bar + f.px(3);
-  const auto number = [&](double t) {
-    const ValueRange& r = colors.range;
-    return fmt::format("{:.3g}", r.logarithmic ? r.lo * std::pow(r.hi / r.lo, t) : r.lo + t * (r.hi - r.lo));
-  };
   for (const double t : {0.0, 0.5, 1.0}) {
-    const std::string text = number(t);
+    const std::string text = fmt::format("{:.3g}", colors.range.value(t));
     const float w = ImGui::CalcTextSize(text.c_str()).x;
     list.AddText({std::round(at.x + static_cast<float>(t) * (width - w)), below}, packed(f.theme().muted),
                  text.c_str());

@@ -53,7 +53,8 @@ ViewFacts facts_of(const Snapshot& sim, const UiState& ui, int width, int height
           .overlay = overlay_words(ui),
           .camera = camera_words(rounded(ui.camera)),
           .gl_renderer = renderer,
-          .theme = std::string(ui.theme->name)};
+          .theme = std::string(ui.theme->name),
+          .color_by = kColorNames[static_cast<std::size_t>(ui.color)]};
 }
 
 // The frame that was composed last, into a file.
@@ -88,6 +89,7 @@ std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, 
   const Frame frame = frame_of(sim);
   OverlayChoice overlay = parse_overlay(facts.overlay);
   overlay.theme = ui.theme;
+  overlay.color_by(ui.color);
   AbPainter painter(context, sim.scene, frame, ui.side_by_side ? AbView::side : AbView::ghost, width, height,
                     overlay, parse_camera(facts.camera), sim.b ? sim.b->scene : nullptr);
   painter.draw(frame);

@@ -86,6 +86,7 @@ void Recorder::start(const command::Record& record, const Snapshot& sim, const U
   job->overlay_text = record.overlay.empty() ? overlay_words(ui) : record.overlay;
   job->overlay = parse_overlay(job->overlay_text);
   job->overlay.theme = ui.theme;
+  job->overlay.color_by(ui.color);
   job->trails = TrailRecorder(ui.trails, kTrailTime);
   if (ui.fly && !ui.camera_keys.empty()) {
     job->camera.keys = ui.camera_keys;
@@ -102,9 +103,9 @@ void Recorder::begin(RunCopies runs) {
   job.scene = runs.a.shared_scene();
   if (runs.b) job.scene_b = runs.b->shared_scene();
   const OverlayChoice& overlay = job.overlay;
-  job.source = std::make_unique<PastSource>(std::move(runs.a), std::move(runs.b),
-                                            PastRange{job.record.from, job.record.to, job.record.fps},
-                                            overlay.needs_iterations(), overlay.needs_contacts(), job.trails);
+  job.source = std::make_unique<PastSource>(
+      std::move(runs.a), std::move(runs.b), PastRange{job.record.from, job.record.to, job.record.fps},
+      overlay.needs_iterations(), overlay.needs_contacts(), job.trails, overlay.needs_bodies());
   job.frames = std::make_unique<FrameThread>(*job.source);
 }
 
@@ -127,6 +128,7 @@ void Recorder::open(const Frame& first) {
                         .camera = camera_text(job.camera, job.camera_text),
                         .gl_renderer = job.painter->gl_renderer(),
                         .theme = std::string(job.overlay.theme->name),
+                        .color_by = kColorNames[static_cast<std::size_t>(job.overlay.color)],
                         .trails = std::move(trails)};
   const PngText common = common_text(*job.scene, facts, first.a, first.b ? &*first.b : nullptr,
                                      job.ab_view == AbView::side ? "side" : "ghost", job.scene_b.get());

@@ -7,7 +7,6 @@
 #include <utility>
 
 #include "app/frames/scene_framing.h"
-#include "app/gui/body_colors.h"
 #include "render/visual/body_marks.h"
 #include "render/visual/bounds.h"
 #include "render/visual/outline.h"
@@ -33,7 +32,8 @@ void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) 
   options.velocities = ui.marks.velocities;
   options.boxes = ui.marks.boxes;
   options.looks = looks_of(*sim.scene, *run.model);
-  BodyColors colors = body_colors(sim, side, ui.color);
+  const FrameView* other = sim.b ? side == Side::b ? &sim.a : &*sim.b : nullptr;
+  BodyColors colors = body_colors(run, other, ui.color);
   options.values = std::move(colors.values);
   options.value_range = colors.range;
   if (ui.selection.index >= 0) select(ui.selection, options);

@@ -10,6 +10,7 @@
 
 #include "app/gui/opened_sweep.h"
 #include "app/gui/view_command.h"
+#include "app/overlay/body_colors.h"
 #include "app/session/trails.h"
 #include "render/visual/camera_path.h"
 #include "render/visual/framing.h"
@@ -18,8 +19,6 @@
 namespace pabd {
 
 inline constexpr std::size_t kMostRecent = 10;  // scenes that are remembered
-
-enum class ColorQuantity : std::uint8_t { body, projection, speed, energy, component };
 
 struct Selection {
   enum class Kind : std::uint8_t { none, body, joint, contact };

@@ -267,6 +267,8 @@ std::string render_command(const Snapshot& sim, const UiState& ui) {
   std::string out = "pabd render " + sh_word(sim.scene_path) + " -o " + sh_word(sim.scene->name + ".mp4");
   for (const auto& [key, value] : sim.a.changed) out += " --set " + sh_word(key + "=" + value);
   if (const std::string overlay = overlay_words(ui); overlay != "none") out += " --overlay " + overlay;
+  if (ui.color != ColorQuantity::body)
+    out += std::string(" --color-by ") + kColorNames[static_cast<std::size_t>(ui.color)];
   if (ui.theme != &kStudioTheme) out += " --theme " + std::string(ui.theme->name);
   for (const TrailPoint& point : ui.trails) out += " --trail " + sh_word(trail_words(point));
   out += " --camera " + sh_word(camera_words(followed_view(sim, ui), sim.scene->model, sim.scene->initial));

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/gui/window_panel.h"
+#include "app/overlay/body_colors.h"
 #include "app/plots/figures/quantity_plot.h"
 #include "app/workbench/command.h"
 #include "render/visual/picture_marks.h"
@@ -32,11 +33,12 @@ inline constexpr Choice kLookFrom[] = {{"scene", "as the scene says"}, {"front",
                                        {"left", "from the left"},      {"bottom", "from below"}};
 // As Selection::Kind and ColorQuantity.
 inline constexpr Choice kSelectionKinds[] = {{"none"}, {"body"}, {"joint"}, {"contact"}};
-inline constexpr Choice kColors[] = {{"body", "body", "tell bodies apart"},
-                                     {"projection", "‖A − R‖"},
-                                     {"speed"},
-                                     {"energy"},
-                                     {"component", "component", "connected components"}};
+inline constexpr Choice kColors[] = {{kColorNames[0], "body", "tell bodies apart"},
+                                     {kColorNames[1], "‖A − R‖"},
+                                     {kColorNames[2]},
+                                     {kColorNames[3]},
+                                     {kColorNames[4], "component", "connected components"}};
+static_assert(std::size(kColors) == std::size(kColorNames));
 inline constexpr Choice kCompareViews[] = {{"ghost"}, {"side"}};
 inline constexpr Choice kRunPlaces[] = {{"start"}, {"end"}};
 

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/overlay/body_colors.h"
 #include "app/overlay/panel_layout.h"
 #include "app/plots/canvas.h"
 #include "app/plots/figures/convergence.h"
@@ -28,7 +29,8 @@ struct OverlayData {
   const FrameView* view = nullptr;     // its report has records and contacts if the panels need them
   const BondLaw* joint_law = nullptr;  // of joints that say nothing of their own, κ resolved
 
-  bool axes = false, scale = false;  // view_marks.h
+  const BodyColors* colors = nullptr;  // of the bodies
+  bool axes = false, scale = false;    // view_marks.h
 
   // What is known of the whole video: its time, s, and its iterations. Nothing: axes fit what they show.
   double from = 0, to = 0;

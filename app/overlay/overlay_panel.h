@@ -16,7 +16,7 @@ struct OverlayData;
 enum class PanelPlace : std::uint8_t { top_left, column, bottom_left };  // the column is at the right
 
 // What is drawn into the picture itself, and brings a legend along.
-enum class PictureLayer : std::uint8_t { none, contacts, bonds };
+enum class PictureLayer : std::uint8_t { none, contacts, bonds, body_colors };
 
 struct OverlayPanel {
   std::string_view name = {};  // as --overlay takes it; empty: it only comes with its layer

@@ -12,7 +12,8 @@
   X(series)      /* gap, energy and errors over time */ \
   X(legend)      /* of contact colours */ \
   X(difference)  /* of two runs beside each other */ \
-  X(joints)      /* legend of joints */
+  X(joints)      /* legend of joints */ \
+  X(colors)      /* legend of the colours of bodies */
 // clang-format on
 
 namespace pabd {

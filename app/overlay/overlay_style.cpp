@@ -2,8 +2,12 @@
 // What panels share.
 #include "app/overlay/overlay_style.h"
 
+#include <algorithm>
+#include <cmath>
+
 #include "app/plots/figures/run_caption.h"
 #include "app/plots/plot_layout.h"
+#include "app/plots/rich_text.h"
 #include "sim/base/srgb.h"
 
 namespace pabd::overlay_style {
@@ -18,6 +22,25 @@ void paint_box(const Rect& rect, double s, Canvas& canvas) {
 void paint_small_plot(const Plot& plot, const Rect& rect, double s, Canvas& canvas) {
   const PlotStyle style = panel_style().scaled(s);
   paint_plot(plot, layout_plot(plot, rect.inset(kPad * s), style, canvas.font()), style, canvas);
+}
+
+void paint_color_scale(const Rect& rect, double s, const std::string& name,
+                       const std::vector<ScaleMark>& marks, const std::function<Color(double)>& color_at,
+                       Canvas& canvas) {
+  const Rect in = rect.inset(kPad * s);
+  const double bar_left = in.x + text_width(canvas.font(), name, kText * s) + 12 * s;
+  const Rect bar{std::round(bar_left), std::round(in.y), std::round(in.right() - bar_left - 8 * s),
+                 std::round(11 * s)};
+  canvas.text({in.x, bar.y + 0.5 * bar.h}, name, {kText * s, ink::text, AlignX::left, AlignY::middle});
+  // One strip a pixel column: colour maps have knees that a few triangles would cut off.
+  for (int k = 0; k < static_cast<int>(bar.w); ++k)
+    canvas.fill_rect({bar.x + k, bar.y, 1, bar.h}, color_at((k + 0.5) / bar.w));
+  for (const ScaleMark& mark : marks) {
+    const double x = bar.x + bar.w * mark.at;
+    canvas.vertical(std::clamp(x, bar.x, bar.right() - 1), bar.bottom(), bar.bottom() + 3 * s,
+                    light_theme().axis, s);
+    canvas.text({x, bar.bottom() + 6 * s}, mark.text, {kText * s, ink::text, AlignX::center, AlignY::top});
+  }
 }
 
 std::string caption_of(const OverlayData& data) {

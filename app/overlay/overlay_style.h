@@ -2,7 +2,9 @@
 // What panels share: colours, sizes, and plots.
 #pragma once
 
+#include <functional>
 #include <string>
+#include <vector>
 
 #include "app/overlay/overlay.h"
 #include "app/overlay/overlay_panel_table.h"
@@ -34,6 +36,15 @@ template <Plot (*plot_of)(const OverlayData& data)>
 void paint_plot_of(const Rect& rect, double scale, const OverlayData& data, Canvas& canvas) {
   paint_small_plot(plot_of(data), rect, scale, canvas);
 }
+
+// A name, and at its right a bar whose colour at a part of its width (0 … 1) `color_at` says, with numbers below.
+struct ScaleMark {
+  double at;  // part of the bar's width
+  std::string text;
+};
+void paint_color_scale(const Rect& rect, double scale, const std::string& name,
+                       const std::vector<ScaleMark>& marks, const std::function<Color(double)>& color_at,
+                       Canvas& canvas);
 
 // Joints of the model that is shown.
 std::size_t joints_of(const OverlayData& data);

@@ -39,6 +39,10 @@ double ValueRange::place(double value) const {
   return logarithmic ? std::log(inside / lo) / std::log(hi / lo) : (inside - lo) / (hi - lo);
 }
 
+double ValueRange::value(double place) const {
+  return logarithmic ? lo * std::pow(hi / lo, place) : lo + place * (hi - lo);
+}
+
 ValueRange round_range(double largest, double least, bool logarithmic) {
   const double hi = round_up(std::max(largest, least));
   return {logarithmic ? kDecades * hi : 0, hi, logarithmic};

@@ -16,6 +16,7 @@ struct ValueRange {
   // 0 … 1; NaN for what is non-finite, or a value ≤ 0 on a logarithmic range counts as its lower end. A range
   // that is none puts everything at 0.
   double place(double value) const;
+  double value(double place) const;  // the inverse, for 0 … 1
 };
 
 // From 0, or four decades below, to the next of 1, 2, 5, 10, … times a power of ten above `largest` and `least` > 0: such

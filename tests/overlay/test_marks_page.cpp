@@ -5,6 +5,7 @@
 #include <sstream>
 #include <string>
 
+#include "app/overlay/body_colors.h"
 #include "app/overlay/overlay_panel_table.h"
 #include "render/visual/picture_marks.h"
 #include "sim/body/joint.h"
@@ -43,6 +44,13 @@ TEST_CASE("every panel and every mark has a row that says what it shows") {
     CHECK(has_row(mark.name));
   }
   CHECK_FALSE(has_row("inertia"));
+}
+
+TEST_CASE("every quantity that bodies are coloured by is named") {
+  for (const char* name : kColorNames) {
+    CAPTURE(name);
+    CHECK(page().find(fmt::format("`{}`", name)) != std::string::npos);
+  }
 }
 
 TEST_CASE("every type of joint has its colour named") {

@@ -23,9 +23,11 @@ OverlayData data_with_joints() {
     out.model = std::move(model);
     return out;
   }();
+  static const BodyColors colors{{}, {}, 0, "speed, m/s", {}};
   OverlayData data;
   data.view = &view;
   data.joint_law = &law;
+  data.colors = &colors;
   return data;
 }
 

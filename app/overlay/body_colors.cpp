@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // See body_colors.h.
-#include "app/gui/body_colors.h"
+#include "app/overlay/body_colors.h"
 
 #include <algorithm>
 #include <cmath>
@@ -15,7 +15,7 @@ namespace {
 constexpr double kNone = std::numeric_limits<double>::quiet_NaN();
 constexpr double kGoldenPart = 0.6180339887498949;  // of the colour map between neighbours
 
-double value_of(const RunView& run, std::size_t i, ColorQuantity quantity) {
+double value_of(const FrameView& run, std::size_t i, ColorQuantity quantity) {
   if (run.model->fixed[i]) return kNone;
   if (quantity == ColorQuantity::speed) return run.state->v[i].norm();
   if (i >= run.report.body_reports.size()) return kNone;
@@ -34,13 +34,13 @@ double value_of(const RunView& run, std::size_t i, ColorQuantity quantity) {
   }
 }
 
-std::vector<double> values_of(const RunView& run, ColorQuantity quantity) {
+std::vector<double> values_of(const FrameView& run, ColorQuantity quantity) {
   std::vector<double> out(run.model->shape.size());
   for (std::size_t i = 0; i < out.size(); ++i) out[i] = value_of(run, i, quantity);
   return out;
 }
 
-double largest(const std::vector<double>& values) {
+double largest_of(const std::vector<double>& values) {
   double out = 0;
   for (const double v : values) {
     if (std::isfinite(v)) out = std::max(out, v);
@@ -50,13 +50,20 @@ double largest(const std::vector<double>& values) {
 
 }  // namespace
 
-BodyColors body_colors(const Snapshot& sim, Side side, ColorQuantity quantity) {
+ColorQuantity color_quantity(const std::string& name) {
+  for (std::size_t i = 0; i < std::size(kColorNames); ++i) {
+    if (name == kColorNames[i]) return static_cast<ColorQuantity>(i);
+  }
+  return ColorQuantity::body;
+}
+
+BodyColors body_colors(const FrameView& run, const FrameView* other, ColorQuantity quantity, double largest) {
   BodyColors out;
   if (quantity == ColorQuantity::body) return out;
-  const RunView& run = side == Side::b && sim.b ? *sim.b : sim.a;
   out.values = values_of(run, quantity);
-  double hi = largest(out.values);
-  if (sim.b) hi = std::max(hi, largest(values_of(side == Side::b ? sim.a : *sim.b, quantity)));
+  out.largest = std::max(largest, largest_of(out.values));
+  if (other) out.largest = std::max(out.largest, largest_of(values_of(*other, quantity)));
+  const double hi = out.largest;
   if (quantity == ColorQuantity::component) {
     out.title = "bodies that hang together";
     int count = 0;
