@@ -53,6 +53,7 @@ struct RenderOptions {
   VideoOptions video;
   std::string theme = "studio";
   std::string color_by = kColorNames[0];
+  std::string contacts_by = kContactQuantities[0];
   std::vector<std::string> trails;
   double trail_time = kTrailTime;
 };
@@ -155,6 +156,7 @@ int render(const RenderOptions& asked) {
   overlay.caption = options.caption;
   const Pace pace(options.speed);
   overlay.color_by(color_quantity(options.color_by));
+  overlay.show_contacts_by(contact_quantity(options.contacts_by));
   check_range("--trail-time", options.trail_time, 0.01, 1e6, "s");
   std::vector<TrailPoint> trail_points;
   for (const std::string& trail : options.trails) trail_points.push_back(parse_trail(trail, "--trail"));
@@ -207,6 +209,7 @@ int render(const RenderOptions& asked) {
                    .quality = options.quality,
                    .theme = options.theme,
                    .color_by = options.color_by,
+                   .contacts_by = options.contacts_by,
                    .trails = options.trails},
                   start.a, start.b ? &*start.b : nullptr, options.ab_view, b ? &b->scene() : nullptr);
   if (device.a.gpu) common["Device"] = device.a.name;
@@ -278,6 +281,7 @@ void add_render_command(CLI::App& app, Action& action) {
        "pabd render pyramid -o last.png --time 2 --camera orbit:20 --set contact.N=8",
        "pabd render bridge -o bridge.gif --time 3 --loop 1", "pabd render pile -o speed.mp4 --color-by speed",
        "pabd render two_boxes -o slow.mp4 --speed 1,0.1:0.5-0.8 --caption 'two boxes, {time}'",
+       "pabd render pyramid -o loads.mp4 --contacts-by force",
        "pabd render pile -o pile.mp4 --crf 14 --preset slow --quality best",
        "pabd render four_bar -o pen.mp4 --camera front,ortho --trail pen --overlay axes,scale",
        "pabd render stack -o ab.mp4 --ab softer.json --overlay params,series,difference",
@@ -302,6 +306,12 @@ void add_render_command(CLI::App& app, Action& action) {
                "what colours of bodies say, with a legend; body: nothing but which is which (default); "
                "projection: ‖A − R‖; speed, m/s; energy, J: kinetic and of contacts; component: bodies that "
                "are solved together");
+  command.word(
+      kPicture, "--contacts-by", options->contacts_by,
+      {std::begin(kContactQuantities), std::end(kContactQuantities)},
+      "shows contacts, with colours that say: gap: d/d̂, with --overlay contacts (default); force: the "
+      "normal force of two bodies (N), as bars from body to body; friction: the part that is used of "
+      "the largest friction, f_t/(μ f_n)");
   command.option(kPicture, "--camera", options->camera, camera_help(), "VIEW");
   command.option(kPicture, "--theme", options->theme, "light and background: " + theme_help(), "NAME");
   command.trail(options->trails, "");

@@ -28,7 +28,8 @@ DeviceOptions solver_options(bool contacts) {
 
 bool DeviceFilm::shows_all(const Run& run, const OverlayChoice& overlay, const CameraOption& camera) {
   const bool opaque = all_opaque(looks_of(run.scene(), run.model()));
-  const bool plain = !overlay.bonds && overlay.color == ColorQuantity::body && !overlay.needs_iterations() &&
+  const bool plain = !overlay.bonds && overlay.color == ColorQuantity::body &&
+                     overlay.contacts_by == ContactQuantity::gap && !overlay.needs_iterations() &&
                      overlay.panels.needing(&OverlayPanel::contacts) == nullptr &&
                      !overlay.marks.velocities && !overlay.marks.boxes;
   return opaque && plain && camera.follow.empty() && run.pulls() == nullptr &&

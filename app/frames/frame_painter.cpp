@@ -14,6 +14,7 @@
 #include "render/visual/body_marks.h"
 #include "render/visual/body_parts.h"
 #include "render/visual/bounds.h"
+#include "render/visual/force_chains.h"
 #include "sim/base/error.h"
 
 namespace pabd {
@@ -67,6 +68,13 @@ void OverlayChoice::color_by(ColorQuantity quantity) {
   if (quantity != ColorQuantity::body) panels.show_with(PictureLayer::body_colors);
 }
 
+void OverlayChoice::show_contacts_by(ContactQuantity quantity) {
+  contacts_by = quantity;
+  if (quantity == ContactQuantity::gap) return;
+  contacts = true;
+  panels.show_with(PictureLayer::contacts);
+}
+
 std::string overlay_help() {
   std::string out =
       panel_help() +
@@ -115,11 +123,13 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
   data_.from = start_time_;
   data_.to = start_time_ + seconds;
   data_.colors = &colors_;
+  data_.contacts_by = choice_.contacts_by;
   look_at(first, nullptr);  // for the legend's place
   std::optional<std::size_t> caption;
   if (!caption_.empty() || !choice_.caption.empty())
     caption = std::max(comparison.lines, comparison.details.size());
   set_camera(first, outlook, caption);
+  colors_.largest = 0;  // a still shows another moment
 }
 
 void FramePainter::set_camera(const FrameView& first, const Outlook& outlook,
@@ -138,6 +148,11 @@ void FramePainter::set_camera(const FrameView& first, const Outlook& outlook,
 
 void FramePainter::look_at(const FrameView& view, const FrameView* other) {
   colors_ = body_colors(view, other, choice_.color, colors_.largest);
+  if (choice_.contacts_by != ContactQuantity::force) return;
+  for (const FrameView* one : {&view, other}) {
+    if (one) largest_force_ = std::max(largest_force_, largest_force(*one->model, one->report));
+  }
+  data_.force_range = force_range(largest_force_);
 }
 
 void FramePainter::draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
@@ -150,6 +165,8 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   options.boxes = choice_.marks.boxes;
   options.looks = looks_of(*scene_, *view.model);
   look_at(view, other);
+  options.contacts_by = choice_.contacts_by;
+  options.force_range = data_.force_range;
   options.values = colors_.values;
   options.value_range = colors_.range;
   Vec3 way = Vec3::Zero();

@@ -27,6 +27,7 @@ struct OverlayChoice {
   bool contacts = false;  // with the legend of their colours
   PictureMarks marks;
   ColorQuantity color = ColorQuantity::body;
+  ContactQuantity contacts_by = ContactQuantity::gap;
   const PictureTheme* theme = &kStudioTheme;  // never null
   std::string caption = {};                   // of every picture; "{time}", "{step}": of that one
 
@@ -36,8 +37,9 @@ struct OverlayChoice {
   }
   bool needs_bodies() const { return needs_body_reports(color); }
   // Colours mean what they meant in all frames before: these must have been seen.
-  bool remembers() const { return color != ColorQuantity::body; }
-  void color_by(ColorQuantity quantity);  // bodies, with a legend
+  bool remembers() const { return color != ColorQuantity::body || contacts_by == ContactQuantity::force; }
+  void color_by(ColorQuantity quantity);            // bodies, with a legend
+  void show_contacts_by(ContactQuantity quantity);  // by another than gap: shows them
 };
 
 // Comma-separated names of panels, "bonds", "contacts", "plots", "all" or "none". Throws Error(bad_input).
@@ -105,7 +107,8 @@ class FramePainter {
   std::string caption_;  // of a comparison
   RenderQuality quality_;
   BodyColors colors_;
-  OverlayData data_;  // what all frames have in common
+  double largest_force_ = 0;  // of the frames so far; N
+  OverlayData data_;          // what all frames have in common
   VisualScene visual_;
   std::deque<Image> mattes_;  // of a transparent theme: drawn twice and put together at once
 };

@@ -15,7 +15,7 @@
 #include "app/plots/figures/convergence.h"
 #include "app/plots/figures/difference.h"
 #include "app/session/frame_view.h"
-#include "render/visual/visual_scene.h"
+#include "render/visual/build_visual.h"
 #include "sim/body/joint.h"
 
 struct ImDrawData;
@@ -30,7 +30,9 @@ struct OverlayData {
   const BondLaw* joint_law = nullptr;  // of joints that say nothing of their own, κ resolved
 
   const BodyColors* colors = nullptr;  // of the bodies
-  bool axes = false, scale = false;    // view_marks.h
+  ContactQuantity contacts_by = ContactQuantity::gap;
+  ValueRange force_range{};          // of the contacts, N
+  bool axes = false, scale = false;  // view_marks.h
 
   // What is known of the whole video: its time, s, and its iterations. Nothing: axes fit what they show.
   double from = 0, to = 0;

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "app/plots/axis_ticks.h"
 #include "app/plots/figures/run_caption.h"
 #include "app/plots/plot_layout.h"
 #include "app/plots/rich_text.h"
@@ -29,7 +30,10 @@ void paint_color_scale(const Rect& rect, double s, const std::string& name,
                        Canvas& canvas) {
   const Rect in = rect.inset(kPad * s);
   const double bar_left = in.x + text_width(canvas.font(), name, kText * s) + 12 * s;
-  const Rect bar{std::round(bar_left), std::round(in.y), std::round(in.right() - bar_left - 8 * s),
+  // The last number ends with the panel.
+  const double last = marks.empty() ? 0 : text_width(canvas.font(), marks.back().text, kText * s);
+  const double after = std::max(8 * s, 0.5 * last);
+  const Rect bar{std::round(bar_left), std::round(in.y), std::round(in.right() - bar_left - after),
                  std::round(11 * s)};
   canvas.text({in.x, bar.y + 0.5 * bar.h}, name, {kText * s, ink::text, AlignX::left, AlignY::middle});
   // One strip a pixel column: colour maps have knees that a few triangles would cut off.
@@ -41,6 +45,17 @@ void paint_color_scale(const Rect& rect, double s, const std::string& name,
                     light_theme().axis, s);
     canvas.text({x, bar.bottom() + 6 * s}, mark.text, {kText * s, ink::text, AlignX::center, AlignY::top});
   }
+}
+
+void paint_value_scale(const Rect& rect, double s, const std::string& name, const ValueRange& range,
+                       Canvas& canvas) {
+  std::vector<ScaleMark> marks;
+  for (const double t : range.places()) {
+    const double value = range.value(t);
+    marks.push_back({t, value == 0 ? "0" : format_value(value, 3)});
+  }
+  const auto color_at = [](double t) { return screen_ink(value_color(t)); };
+  paint_color_scale(rect, s, name, marks, color_at, canvas);
 }
 
 std::string caption_of(const OverlayData& data) {

@@ -45,6 +45,9 @@ struct ScaleMark {
 void paint_color_scale(const Rect& rect, double scale, const std::string& name,
                        const std::vector<ScaleMark>& marks, const std::function<Color(double)>& color_at,
                        Canvas& canvas);
+// The same for value_color() over a range.
+void paint_value_scale(const Rect& rect, double scale, const std::string& name, const ValueRange& range,
+                       Canvas& canvas);
 
 // Joints of the model that is shown.
 std::size_t joints_of(const OverlayData& data);

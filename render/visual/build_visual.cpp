@@ -12,6 +12,7 @@
 #include "render/visual/body_parts.h"
 #include "render/visual/bounds.h"
 #include "render/visual/contact_glyphs.h"
+#include "render/visual/force_chains.h"
 #include "render/visual/joint_glyphs.h"
 #include "render/visual/line_shapes.h"
 #include "render/visual/outline.h"
@@ -81,13 +82,19 @@ void add_selection(const Model& model, const State& state, const StepReport& rep
   }
   if (const auto number = options.selected_contact; number && *number < report.contact_reports.size()) {
     const ContactReport& contact = report.contact_reports[*number];
-    if (!options.contacts)
-      add_contact_glyph(model, contact, options.d_hat, scale, typical_weight(model), out);
+    if (!options.contacts) add_contact_glyph(model, contact, options, scale, typical_weight(model), out);
     add_ring(contact.y_a, 1.5 * scale, out);
   }
 }
 
 }  // namespace
+
+ContactQuantity contact_quantity(const std::string& name) {
+  for (const ContactQuantity one : {ContactQuantity::force, ContactQuantity::friction}) {
+    if (name == kContactQuantities[static_cast<std::size_t>(one)]) return one;
+  }
+  return ContactQuantity::gap;
+}
 
 void build_visual(const Model& model, const State& state, const StepReport& report,
                   const VisualOptions& options, VisualScene& out) {
@@ -110,6 +117,8 @@ void build_visual(const Model& model, const State& state, const StepReport& repo
   const double scale = !scaled || given > 0 ? given : default_glyph_scale(model);
   if (options.bonds || options.contacts)
     add_contact_glyphs(model, report, options, scale, typical_weight(model), out);
+  if (options.contacts && options.contacts_by == ContactQuantity::force)
+    add_force_chains(model, state, report, options.force_range, scale, out);
   if (options.bonds) add_joint_glyphs(model, state, out);
   if (options.boxes) add_boxes(model, state, out);
   if (options.velocities) add_velocity_arrows(model, state, out);

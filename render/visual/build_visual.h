@@ -14,9 +14,17 @@
 
 namespace pabd {
 
+// What the colours of contacts say: d/d̂, the normal force (N), or friction as a share of what Coulomb's law allows,
+// ‖f_t‖/(μ f_n).
+enum class ContactQuantity : std::uint8_t { gap, force, friction };
+inline constexpr const char* kContactQuantities[] = {"gap", "force", "friction"};  // in this order
+ContactQuantity contact_quantity(const std::string& name);  // gap where there is none of that name
+
 struct VisualOptions {
-  bool bonds = false;      // points of contact pairs and of joints, axes of joints
-  bool contacts = false;   // normal arrows and discs coloured by d/d̂
+  bool bonds = false;     // points of contact pairs and of joints, axes of joints
+  bool contacts = false;  // normal arrows and discs; by force bars from body to body (force_chains.h)
+  ContactQuantity contacts_by = ContactQuantity::gap;
+  ValueRange force_range;  // N
   double d_hat = 0.01;     // for the colours; m
   double glyph_scale = 0;  // size of glyphs in m; 0: from the size of the bodies
 

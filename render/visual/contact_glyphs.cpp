@@ -22,13 +22,6 @@ namespace {
 
 using namespace glyph;
 
-// What is drawn of one contact, or of several in one place.
-struct Glyph {
-  Vec3 at;       // on the body that the arrow pushes; m
-  Vec3 towards;  // unit
-  double d, force;
-};
-
 auto& list(VisualScene& out, Primitive primitive) { return out.instances[static_cast<int>(primitive)]; }
 
 void add(VisualScene& out, Primitive primitive, const Mat4f& transform, const Vec4f& color, bool shaded) {
@@ -39,9 +32,8 @@ bool is_finite(const ContactReport& contact) {
   return contact.y_a.allFinite() && contact.y_b.allFinite() && contact.n.allFinite();
 }
 
-double arrow_length(double normal_force, double scale, double weight) {
-  const double f = std::isfinite(normal_force) ? std::max(0.0, normal_force) : 0.0;
-  return scale * std::min(kLongest, 4.5 * std::log10(1.0 + 9.0 * f / weight));
+double arrow_length(double force, double scale, double weight) {
+  return scale * std::min(kLongest, 4.5 * std::log10(1.0 + 9.0 * force / weight));
 }
 
 // Whether the force on b is shown; else that on a.
@@ -53,13 +45,36 @@ bool pushes_b(const Model& model, const ContactReport& contact) {
   return std::abs(n.x()) > kSide ? n.x() > 0 : n.z() > 0;
 }
 
-Glyph glyph_of(const Model& model, const ContactReport& contact) {
-  const bool b = pushes_b(model, contact);
-  return {b ? contact.y_b : contact.y_a, b ? contact.n : Vec3(-contact.n), contact.d, contact.normal_force};
+double loaded(const ContactReport& contact) {
+  return std::isfinite(contact.normal_force) ? std::max(0.0, contact.normal_force) : 0.0;
 }
 
-void add_contact(const Glyph& glyph, double d_hat, double s, double weight, VisualScene& out) {
-  const Vec4f color = contact_color(glyph.d / d_hat), rim = srgb_color(kRimInk);
+ContactGlyph glyph_of(const Model& model, const ContactReport& contact) {
+  const bool b = pushes_b(model, contact);
+  const double force = loaded(contact);
+  return {contact.a,
+          contact.b,
+          b ? contact.y_b : contact.y_a,
+          b ? contact.n : Vec3(-contact.n),
+          contact.d,
+          force,
+          contact.friction.norm() / (contact.mu * force)};
+}
+
+Vec4f mark_color(const ContactGlyph& glyph, const VisualOptions& options) {
+  switch (options.contacts_by) {
+    case ContactQuantity::force:
+      return value_color(options.force_range.place(glyph.force));
+    case ContactQuantity::friction:
+      return value_color(ValueRange{}.place(glyph.slip));
+    default:
+      return contact_color(glyph.d / options.d_hat);
+  }
+}
+
+void add_contact(const ContactGlyph& glyph, const VisualOptions& options, double s, double weight,
+                 VisualScene& out) {
+  const Vec4f color = mark_color(glyph, options), rim = srgb_color(kRimInk);
   const Vec3& n = glyph.towards;
   const Vec3 away = -PixelMeter(out.camera).to_eye(glyph.at);
   const double r = kRim * s;
@@ -77,37 +92,6 @@ void add_contact(const Glyph& glyph, double d_hat, double s, double weight, Visu
   add(out, Primitive::cone,
       place_along(base - 0.6 * r * n + 2 * (half + r) * away, n, half + 0.9 * r, head + 1.6 * r), rim, false);
   add(out, Primitive::cone, place_along(base, n, half, head), color, false);
-}
-
-// Those of the same two bodies with the same normal as one.
-std::vector<Glyph> merged(const Model& model, const StepReport& report) {
-  std::vector<const ContactReport*> contacts;
-  for (const ContactReport& contact : report.contact_reports) {
-    if (is_finite(contact)) contacts.push_back(&contact);
-  }
-  std::stable_sort(contacts.begin(), contacts.end(), [](const ContactReport* x, const ContactReport* y) {
-    return std::tie(x->a, x->b) < std::tie(y->a, y->b);
-  });
-  std::vector<Glyph> out;
-  double load = 0;
-  for (std::size_t k = 0; k < contacts.size(); ++k) {
-    const Glyph next = glyph_of(model, *contacts[k]);
-    const double force = std::isfinite(next.force) ? std::max(0.0, next.force) : 0;
-    const bool together = k > 0 && contacts[k]->a == contacts[k - 1]->a &&
-                          contacts[k]->b == contacts[k - 1]->b &&
-                          next.towards.dot(out.back().towards) > kSameNormal;
-    if (!together) {
-      out.push_back({next.at, next.towards, next.d, force});
-      load = force + kNoForce;
-      continue;
-    }
-    Glyph& all = out.back();
-    const double share = (force + kNoForce) / (load += force + kNoForce);
-    all.at += share * (next.at - all.at);
-    all.d = std::min(all.d, next.d);
-    all.force += force;
-  }
-  return out;
 }
 
 void add_bond(const ContactReport& contact, double s, VisualScene& out) {
@@ -159,20 +143,53 @@ double default_glyph_scale(const Model& model) {
   return 0.26 * *middle;
 }
 
-void add_contact_glyph(const Model& model, const ContactReport& contact, double d_hat, double scale,
-                       double weight, VisualScene& out) {
-  if (is_finite(contact)) add_contact(glyph_of(model, contact), d_hat, scale, weight, out);
+std::vector<ContactGlyph> merged_contacts(const Model& model, const StepReport& report) {
+  std::vector<const ContactReport*> contacts;
+  for (const ContactReport& contact : report.contact_reports) {
+    if (is_finite(contact)) contacts.push_back(&contact);
+  }
+  std::stable_sort(contacts.begin(), contacts.end(), [](const ContactReport* x, const ContactReport* y) {
+    return std::tie(x->a, x->b) < std::tie(y->a, y->b);
+  });
+  std::vector<ContactGlyph> out;
+  double load = 0, allowed = 0, slipping = 0;
+  for (const ContactReport* contact : contacts) {
+    const ContactGlyph next = glyph_of(model, *contact);
+    const bool together = !out.empty() && next.a == out.back().a && next.b == out.back().b &&
+                          next.towards.dot(out.back().towards) > kSameNormal;
+    if (!together) {
+      out.push_back(next);
+      load = allowed = slipping = 0;
+    }
+    ContactGlyph& all = out.back();
+    load += next.force + kNoForce;
+    allowed += contact->mu * next.force;
+    slipping += contact->friction.norm();
+    all.slip = slipping / allowed;
+    if (!together) continue;
+    all.at += (next.force + kNoForce) / load * (next.at - all.at);
+    all.d = std::min(all.d, next.d);
+    all.force += next.force;
+  }
+  return out;
+}
+
+void add_contact_glyph(const Model& model, const ContactReport& contact, const VisualOptions& options,
+                       double scale, double weight, VisualScene& out) {
+  if (is_finite(contact)) add_contact(glyph_of(model, contact), options, scale, weight, out);
 }
 
 void add_contact_glyphs(const Model& model, const StepReport& report, const VisualOptions& options,
                         double scale, double weight, VisualScene& out) {
+  const bool shown = options.contacts && options.contacts_by != ContactQuantity::force;
   const bool many = report.contact_reports.size() > kManyContacts;
-  if (options.contacts && many) {
-    for (const Glyph& glyph : merged(model, report)) add_contact(glyph, options.d_hat, scale, weight, out);
+  if (shown && many) {
+    for (const ContactGlyph& glyph : merged_contacts(model, report))
+      add_contact(glyph, options, scale, weight, out);
   }
   for (const ContactReport& contact : report.contact_reports) {
     if (!is_finite(contact)) continue;
-    if (options.contacts && !many) add_contact(glyph_of(model, contact), options.d_hat, scale, weight, out);
+    if (shown && !many) add_contact(glyph_of(model, contact), options, scale, weight, out);
     if (options.bonds) add_bond(contact, scale, out);
   }
 }

@@ -35,9 +35,22 @@ double default_glyph_scale(const Model& model);
 // it, in the colour of the deepest.
 inline constexpr std::size_t kManyContacts = 300;
 
+// What is drawn of one contact, or of several in one place.
+struct ContactGlyph {
+  Index a, b;
+  Vec3 at;       // on the body that the arrow pushes; m
+  Vec3 towards;  // unit
+  double d;      // m
+  double force;  // normal force, ≥ 0; N
+  double slip;   // ‖f_t‖/(μ f_n) of all together; NaN without friction or force
+};
+
+// Those of the same two bodies with the same normal as one.
+std::vector<ContactGlyph> merged_contacts(const Model& model, const StepReport& report);
+
 // The disc and the arrow of one contact; scale and weight as below. Nothing for non-finite numbers.
-void add_contact_glyph(const Model& model, const ContactReport& contact, double d_hat, double scale,
-                       double weight, VisualScene& out);
+void add_contact_glyph(const Model& model, const ContactReport& contact, const VisualOptions& options,
+                       double scale, double weight, VisualScene& out);
 
 // Adds the glyphs of `report` to `out`. `scale` is the radius of a contact disc in m, > 0; `weight` a typical
 // weight of a body in N, > 0, against which arrow lengths are measured. An arrow is the force on the movable body, of

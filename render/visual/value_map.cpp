@@ -20,7 +20,6 @@ namespace {
 constexpr double kDark = 0.44, kLight = 0.89;
 constexpr double kChroma = 0.1;
 constexpr double kFirstHue = 290, kLastHue = 100;  // degrees
-constexpr double kDecades = 1e-4;                  // of a logarithmic range
 
 double round_up(double x) {
   const double power = std::pow(10, std::floor(std::log10(x)));
@@ -43,9 +42,17 @@ double ValueRange::value(double place) const {
   return logarithmic ? lo * std::pow(hi / lo, place) : lo + place * (hi - lo);
 }
 
-ValueRange round_range(double largest, double least, bool logarithmic) {
+std::vector<double> ValueRange::places() const {
+  const long decades = logarithmic ? std::lround(std::log10(hi / lo)) : 0;
+  if (decades < 1 || decades > 3) return {0, 0.5, 1};
+  std::vector<double> out;
+  for (long k = 0; k <= decades; ++k) out.push_back(static_cast<double>(k) / static_cast<double>(decades));
+  return out;
+}
+
+ValueRange round_range(double largest, double least, bool logarithmic, int decades) {
   const double hi = round_up(std::max(largest, least));
-  return {logarithmic ? kDecades * hi : 0, hi, logarithmic};
+  return {logarithmic ? hi * std::pow(10, -decades) : 0, hi, logarithmic};
 }
 
 Vec4f value_color(double t) {

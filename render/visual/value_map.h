@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cmath>
+#include <vector>
 
 #include "render/visual/visual_scene.h"
 
@@ -17,11 +18,13 @@ struct ValueRange {
   // that is none puts everything at 0.
   double place(double value) const;
   double value(double place) const;  // the inverse, for 0 … 1
+  // Where numbers stand beside a bar of its colours: ends and middle, of three decades or fewer every one.
+  std::vector<double> places() const;
 };
 
-// From 0, or four decades below, to the next of 1, 2, 5, 10, … times a power of ten above `largest` and `least` > 0: such
+// From 0, or `decades` powers of ten below, to the next of 1, 2, 5, 10, … times a power of ten above `largest` and `least` > 0: such
 // a range rests while numbers change.
-ValueRange round_range(double largest, double least, bool logarithmic);
+ValueRange round_range(double largest, double least, bool logarithmic, int decades = 4);
 
 // Linear colour at t in 0 … 1 (clamped): violet blue over teal to light yellow, in steps that look
 // equal. Lightness grows all the way, so the order survives in grey and for every kind of colour blindness.

@@ -302,24 +302,6 @@ TEST_CASE("a sequence that was cut short is continued byte for byte") {
   }
 }
 
-TEST_CASE("a continued sequence has the ranges of colours that the frames before had") {
-  const CommandFolder whole, cut;
-  // The range of speeds grows until a box lands, and rests when all come to rest.
-  std::vector<std::string> options = {"--frames", "12", "--fps", "5", "--color-by", "speed"};
-  REQUIRE(run_pabd(render(whole / "{frame:02}.png", options)).exit_code == 0);
-  CHECK(read_png_text(whole / "11.png").at("View").find("\"color_by\":\"speed\"") != std::string::npos);
-  for (const std::string& name : whole.names()) {
-    if (name != "11.png") std::filesystem::copy(whole / name, cut / name);
-  }
-  options.push_back("--resume");
-  REQUIRE(run_pabd(render(cut / "{frame:02}.png", options)).exit_code == 0);
-  CHECK(read_text(cut / "11.png") == read_text(whole / "11.png"));
-  // Alone, the last picture has the range of its own speeds.
-  REQUIRE(run_pabd(render(cut / "still.png", {"--frames", "12", "--fps", "5", "--color-by", "speed"}))
-              .exit_code == 0);
-  CHECK(read_png(cut / "still.png").rgb != read_png(whole / "11.png").rgb);
-}
-
 TEST_CASE("frames of another run are not continued") {
   const CommandFolder folder;
   REQUIRE(run_pabd(render(folder / "{frame}.png", {"--frames", "2"})).exit_code == 0);

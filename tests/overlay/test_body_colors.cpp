@@ -77,16 +77,25 @@ TEST_CASE("the legend of bodies says the quantity, its unit and the ends of the 
   };
   const std::string speed = text(body_colors(view, nullptr, ColorQuantity::speed));
   CHECK(speed.find("speed, m/s") != std::string::npos);
-  CHECK(speed.find(">20<") != std::string::npos);
+  CHECK(speed.find(">10<") != std::string::npos);
   CHECK(text(body_colors(view, nullptr, ColorQuantity::component)).find("no components") !=
         std::string::npos);
   CHECK(text({}).find("text") == std::string::npos);  // bodies told apart need no legend
+}
+
+TEST_CASE("numbers of a range of three decades are a decade apart") {
+  const ValueRange range{20, 20000, true};
+  std::vector<double> numbers;
+  for (const double t : range.places()) numbers.push_back(range.value(t));
+  REQUIRE(numbers.size() == 4);
+  for (std::size_t k = 0; k < 4; ++k) CHECK(numbers[k] == Approx(20 * std::pow(10, k)));
 }
 
 TEST_CASE("a place in a range and the value there are inverse") {
   for (const ValueRange& range : {ValueRange{0, 20, false}, ValueRange{2e-3, 20, true}}) {
     for (const double t : {0.0, 0.25, 1.0}) CHECK(range.place(range.value(t)) == Approx(t).margin(1e-12));
     CHECK(range.value(1) == Approx(20));
+    CHECK(range.places() == std::vector<double>{0, 0.5, 1});  // four decades too
   }
 }
 

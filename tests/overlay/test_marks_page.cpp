@@ -7,6 +7,7 @@
 
 #include "app/overlay/body_colors.h"
 #include "app/overlay/overlay_panel_table.h"
+#include "render/visual/build_visual.h"
 #include "render/visual/picture_marks.h"
 #include "sim/body/joint.h"
 #include "tests/support/files.h"
@@ -46,11 +47,13 @@ TEST_CASE("every panel and every mark has a row that says what it shows") {
   CHECK_FALSE(has_row("inertia"));
 }
 
-TEST_CASE("every quantity that bodies are coloured by is named") {
-  for (const char* name : kColorNames) {
+TEST_CASE("every quantity that bodies and contacts are coloured by is named") {
+  const auto named = [](const char* name) {
     CAPTURE(name);
     CHECK(page().find(fmt::format("`{}`", name)) != std::string::npos);
-  }
+  };
+  for (const char* name : kColorNames) named(name);
+  for (const char* name : kContactQuantities) named(name);
 }
 
 TEST_CASE("every type of joint has its colour named") {

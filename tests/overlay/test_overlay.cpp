@@ -110,6 +110,28 @@ TEST_CASE("figures paint to draw data; the same figure gives the same bytes") {
   }
 }
 
+TEST_CASE("the legend of contacts says the quantity, its unit and the ends of the range") {
+  const FontMetrics font;
+  const FrameView view;
+  OverlayData data{"s", &view};
+  const auto text = [&] {
+    SvgCanvas canvas(font, 1280, 720);
+    paint_panels(layout_panels(parse_panels("legend"), data, 1280, 720), data, canvas);
+    return canvas.finish();
+  };
+  const auto has = [](const std::string& svg, const char* words) {
+    return svg.find(words) != std::string::npos;
+  };
+  CHECK(has(text(), "contact "));
+  data.contacts_by = ContactQuantity::force;
+  data.force_range = {20, 2000, true};
+  const std::string force = text();
+  CHECK(has(force, "normal force, N"));
+  CHECK(has(force, ">200<"));
+  data.contacts_by = ContactQuantity::friction;
+  CHECK(has(text(), "friction "));
+}
+
 TEST_CASE("the parameters list the law of joints, soft or hard") {
   const FontMetrics font;
   FrameView view;

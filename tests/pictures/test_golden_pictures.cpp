@@ -18,6 +18,7 @@
 #include "app/plots/figures/spherical_joint.h"
 #include "app/plots/figures/time_panel.h"
 #include "app/plots/plot_layout.h"
+#include "render/visual/force_chains.h"
 #include "render/visual/joint_glyphs.h"
 #include "render/visual/outline.h"
 #include "tests/pictures/joint_scene.h"
@@ -64,6 +65,35 @@ TEST_CASE("pyramid with all overlays") {
   const FrameView view = view_of(stored);
   check(studio.frame(visual_of(stored, true), parse_panels("all"), overlay_of(stored, view)),
         "pyramid_overlays", studio);
+}
+
+TEST_CASE("loads of a pyramid as bars over bodies by speed, with both legends") {
+  Studio studio(640, 360);
+  StoredStep stored("pyramid");
+  const State& state = stored.scene.initial;
+  for (ContactReport& contact : stored.report.contact_reports)  // more below, and some next to nothing
+    contact.normal_force = contact.y_a.x() < -3 ? 1 : 3000 * std::pow(0.8, contact.y_a.y());
+  FrameView view = view_of(stored);
+  State moving = state;
+  for (std::size_t i = 0; i < moving.v.size(); ++i) moving.v[i] = {0.2 * state.c[i].y(), 0, 0};
+  view.state = std::make_shared<const State>(moving);
+  const BodyColors colors = body_colors(view, nullptr, ColorQuantity::speed);
+  OverlayData data = overlay_of(stored, view);
+  data.colors = &colors;
+  data.contacts_by = ContactQuantity::force;
+  data.force_range = force_range(largest_force(stored.scene.model, stored.report));
+  VisualOptions options;
+  options.contacts = true;
+  options.contacts_by = data.contacts_by;
+  options.force_range = data.force_range;
+  options.values = colors.values;
+  options.value_range = colors.range;
+  VisualScene scene = visual_of(stored, false);
+  build_visual(stored.scene.model, state, stored.report, options, scene);
+  OverlayOptions panels;
+  panels.show(legend_overlay);
+  panels.show(colors_overlay);
+  check(studio.frame(scene, panels, data), "pyramid_loads", studio);
 }
 
 TEST_CASE("round and flat shapes") {

@@ -1,14 +1,11 @@
 // SPDX-License-Identifier: MIT
 // What the colours of bodies mean.
 #include "app/overlay/overlay_style.h"
-#include "app/plots/axis_ticks.h"
 
 namespace pabd {
 namespace {
 
 using namespace overlay_style;
-
-constexpr int kMostTicks = 4;
 
 void paint_body_colors(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
   const BodyColors& colors = *data.colors;
@@ -17,12 +14,7 @@ void paint_body_colors(const Rect& rect, double s, const OverlayData& data, Canv
     return canvas.text({in.x, in.y + 0.5 * in.h}, colors.note,
                        {kText * s, ink::text, AlignX::left, AlignY::middle});
   }
-  const ValueRange& range = colors.range;
-  std::vector<ScaleMark> marks;
-  for (const Tick& tick : make_axis(range.lo, range.hi, range.logarithmic, kMostTicks).ticks)
-    if (tick.major) marks.push_back({range.place(tick.value), tick.label});
-  const auto color_at = [](double t) { return screen_ink(value_color(t)); };
-  paint_color_scale(rect, s, colors.title, marks, color_at, canvas);
+  paint_value_scale(rect, s, colors.title, colors.range, canvas);
 }
 
 bool has_colors(const OverlayData& data) { return data.colors && !data.colors->title.empty(); }

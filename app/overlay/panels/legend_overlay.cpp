@@ -9,7 +9,11 @@ namespace {
 
 using namespace overlay_style;
 
-void paint_legend(const Rect& rect, double s, const OverlayData&, Canvas& canvas) {
+void paint_legend(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
+  if (data.contacts_by == ContactQuantity::force)
+    return paint_value_scale(rect, s, "normal force, N", data.force_range, canvas);
+  if (data.contacts_by == ContactQuantity::friction)
+    return paint_value_scale(rect, s, "friction *{f}_{t}/(*{μ} *{f}_{n})", {}, canvas);
   constexpr double lo = -0.5, hi = 1;
   std::vector<ScaleMark> marks;
   for (const double v : {-0.5, 0.0, 0.5, 1.0})
