@@ -27,10 +27,10 @@ constexpr std::array kMeshes = {Primitive::disc, Primitive::cylinder, Primitive:
 constexpr std::size_t kClasses = kMeshes.size() * pabd::kLevels;
 
 struct GlyphRecord {
-  double eye[3], d_hat, scale, weight;
-  std::uint32_t work_groups, pad[3];
+  double eye[3], d_hat, forward[3], scale, weight, slope;
+  std::uint32_t work_groups, parallel, pad[2];
 };
-static_assert(sizeof(GlyphRecord) == 64);
+static_assert(sizeof(GlyphRecord) == 96);
 
 struct KnotRecord {
   double x, rgb[3];
@@ -52,6 +52,10 @@ std::string defines() {
                                                          {"LONGEST", kLongest},
                                                          {"SHORTEST", kShortest},
                                                          {"RIM", kRim},
+                                                         {"LEAST_SCALE", kLeastScale},
+                                                         {"MOST_GROWN", kMostGrown},
+                                                         {"BLUNTEST", kBluntest},
+                                                         {"MARK_WIDTH", kMarkWidth},
                                                          {"SIDE", kSide},
                                                          {"SAME_NORMAL", kSameNormal},
                                                          {"NO_FORCE", kNoForce}};
@@ -158,8 +162,11 @@ void DeviceMarks::set(const DeviceContacts& contacts, const ContactMarks& marks)
 
 void DeviceMarks::make(const VisualScene& scene, std::span<const MeshRange> meshes) {
   Impl& m = *impl_;
-  const Vec3 eye = eye_of(scene.camera);
-  std::copy_n(eye.data(), 3, m.record.eye);
+  const PixelMeter meter(scene.camera);
+  std::copy_n(meter.eye().data(), 3, m.record.eye);
+  std::copy_n(meter.forward().data(), 3, m.record.forward);
+  m.record.slope = meter.slope();
+  m.record.parallel = meter.parallel() ? 1 : 0;
   m.buffers.renew(DrawSlot::glyphs, &m.record);
   m.buffers.renew(DrawSlot::meshes, meshes.data());
   m.buffers.bind();

@@ -49,7 +49,7 @@ double loaded(const ContactReport& contact) {
   return std::isfinite(contact.normal_force) ? std::max(0.0, contact.normal_force) : 0.0;
 }
 
-ContactGlyph glyph_of(const Model& model, const ContactReport& contact) {
+ContactGlyph glyph_of(const Model& model, const ContactReport& contact, std::size_t number = 0) {
   const bool b = pushes_b(model, contact);
   const double force = loaded(contact);
   return {contact.a,
@@ -58,7 +58,8 @@ ContactGlyph glyph_of(const Model& model, const ContactReport& contact) {
           b ? contact.n : Vec3(-contact.n),
           contact.d,
           force,
-          contact.friction.norm() / (contact.mu * force)};
+          contact.friction.norm() / (contact.mu * force),
+          number};
 }
 
 Vec4f mark_color(const ContactGlyph& glyph, const VisualOptions& options) {
@@ -74,18 +75,23 @@ Vec4f mark_color(const ContactGlyph& glyph, const VisualOptions& options) {
 
 void add_contact(const ContactGlyph& glyph, const VisualOptions& options, double s, double weight,
                  VisualScene& out) {
+  const PixelMeter meter(out.camera);
   const Vec4f color = mark_color(glyph, options), rim = srgb_color(kRimInk);
   const Vec3& n = glyph.towards;
-  const Vec3 away = -PixelMeter(out.camera).to_eye(glyph.at);
-  const double r = kRim * s;
+  const Vec3 away = -meter.to_eye(glyph.at);
+  double r = kRim * s;
   // What is a little larger, and far enough behind, shows as a rim.
   add(out, Primitive::disc, place_along(glyph.at + 0.3 * r * away, n, s + r, s + r), rim, false);
   add(out, Primitive::disc, place_along(glyph.at, n, s, s), color, false);
   const double length = arrow_length(glyph.force, s, weight);
   if (length < kShortest * s) return;
-  const double head = std::min(kHeadLength * s, 0.6 * length), half = kHead / kHeadLength * head;
+  // Its width is that of another scale; a head that has to be short keeps it.
+  const double g = std::clamp(kLeastScale * meter.at(glyph.at), s, kMostGrown * s);
+  r = kRim * g;
+  const double head = std::min(kHeadLength * g, 0.6 * length);
+  const double half = std::min(kHead * g, kHead / kHeadLength * head * std::min(g / s, kBluntest));
   const Vec3 base = glyph.at + (length - head) * n, middle = glyph.at + 0.5 * (length - head) * n;
-  const double shaft = std::min(kShaft * s, 0.6 * half);
+  const double shaft = std::min(kShaft * g, 0.6 * half);
   add(out, Primitive::cylinder,
       place_along(middle + 2 * (shaft + r) * away, n, shaft + 0.6 * r, 0.5 * (length - head)), rim, false);
   add(out, Primitive::cylinder, place_along(middle, n, shaft, 0.5 * (length - head)), color, false);
@@ -143,7 +149,8 @@ double default_glyph_scale(const Model& model) {
   return 0.26 * *middle;
 }
 
-std::vector<ContactGlyph> merged_contacts(const Model& model, const StepReport& report) {
+std::vector<ContactGlyph> merged_contacts(const Model& model, const StepReport& report,
+                                          const Together& together) {
   std::vector<const ContactReport*> contacts;
   for (const ContactReport& contact : report.contact_reports) {
     if (is_finite(contact)) contacts.push_back(&contact);
@@ -154,10 +161,11 @@ std::vector<ContactGlyph> merged_contacts(const Model& model, const StepReport& 
   std::vector<ContactGlyph> out;
   double load = 0, allowed = 0, slipping = 0;
   for (const ContactReport* contact : contacts) {
-    const ContactGlyph next = glyph_of(model, *contact);
-    const bool together = !out.empty() && next.a == out.back().a && next.b == out.back().b &&
-                          next.towards.dot(out.back().towards) > kSameNormal;
-    if (!together) {
+    const ContactGlyph next =
+        glyph_of(model, *contact, static_cast<std::size_t>(contact - report.contact_reports.data()));
+    const bool one = !out.empty() && next.a == out.back().a && next.b == out.back().b &&
+                     next.towards.dot(out.back().towards) > kSameNormal && together(out.back().at, next.at);
+    if (!one) {
       out.push_back(next);
       load = allowed = slipping = 0;
     }
@@ -166,11 +174,13 @@ std::vector<ContactGlyph> merged_contacts(const Model& model, const StepReport& 
     allowed += contact->mu * next.force;
     slipping += contact->friction.norm();
     all.slip = slipping / allowed;
-    if (!together) continue;
+    if (!one) continue;
     all.at += (next.force + kNoForce) / load * (next.at - all.at);
     all.d = std::min(all.d, next.d);
     all.force += next.force;
   }
+  std::sort(out.begin(), out.end(),
+            [](const ContactGlyph& x, const ContactGlyph& y) { return x.first < y.first; });
   return out;
 }
 
@@ -183,13 +193,16 @@ void add_contact_glyphs(const Model& model, const StepReport& report, const Visu
                         double scale, double weight, VisualScene& out) {
   const bool shown = options.contacts && options.contacts_by != ContactQuantity::force;
   const bool many = report.contact_reports.size() > kManyContacts;
-  if (shown && many) {
-    for (const ContactGlyph& glyph : merged_contacts(model, report))
+  const PixelMeter meter(out.camera);
+  const auto together = [&](const Vec3& mark, const Vec3& next) {
+    return many || (next - mark).norm() < kMarkWidth * std::max(scale, kLeastScale * meter.at(mark));
+  };
+  if (shown) {
+    for (const ContactGlyph& glyph : merged_contacts(model, report, together))
       add_contact(glyph, options, scale, weight, out);
   }
   for (const ContactReport& contact : report.contact_reports) {
     if (!is_finite(contact)) continue;
-    if (shown && !many) add_contact(glyph_of(model, contact), options, scale, weight, out);
     if (options.bonds) add_bond(contact, scale, out);
   }
 }

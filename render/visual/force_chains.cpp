@@ -18,11 +18,13 @@ constexpr double kLeastForce = 1e-6;  // N; a range ends above it
 constexpr double kWidestBar = 11, kThinnestBar = 1.2, kBarRim = 1.2;
 constexpr double kBarShare = 2.4;  // widest, × scale
 
+bool anywhere(const Vec3&, const Vec3&) { return true; }
+
 }  // namespace
 
 double largest_force(const Model& model, const StepReport& report) {
   double out = 0;
-  for (const ContactGlyph& glyph : merged_contacts(model, report)) out = std::max(out, glyph.force);
+  for (const ContactGlyph& glyph : merged_contacts(model, report, anywhere)) out = std::max(out, glyph.force);
   return out;
 }
 
@@ -30,7 +32,7 @@ ValueRange force_range(double largest) { return round_range(largest, kLeastForce
 
 void add_force_chains(const Model& model, const State& state, const StepReport& report,
                       const ValueRange& range, double scale, VisualScene& out) {
-  std::vector<ContactGlyph> glyphs = merged_contacts(model, report);
+  std::vector<ContactGlyph> glyphs = merged_contacts(model, report, anywhere);
   std::erase_if(glyphs, [&](const ContactGlyph& glyph) { return !(range.place(glyph.force) > 0); });
   std::stable_sort(glyphs.begin(), glyphs.end(),
                    [](const ContactGlyph& x, const ContactGlyph& y) { return x.force < y.force; });

@@ -22,6 +22,10 @@ class PixelMeter {
   double distance(const Vec3& p) const { return (eye_ - p).norm(); }
   // Unit vector from p to the eye.
   Vec3 to_eye(const Vec3& p) const;
+  const Vec3& eye() const { return eye_; }  // where rays come from
+  const Vec3& forward() const { return forward_; }
+  bool parallel() const { return orthographic_; }
+  double slope() const { return slope_; }  // m a pixel, at a distance of 1 m unless rays are parallel
 
  private:
   Vec3 eye_, forward_;

@@ -49,6 +49,8 @@ struct Stack {
   }
 };
 
+bool anywhere(const Vec3&, const Vec3&) { return true; }
+
 }  // namespace
 
 TEST_CASE(
@@ -113,7 +115,7 @@ TEST_CASE("the friction of several contacts in one mark is the part of what they
   Stack stack;
   auto& contacts = stack.report.contact_reports;
   contacts.front().friction *= 3;  // f = 0.4 W: 0.12 W instead of 0.04 W, of 0.4 · 2 W in all
-  const auto merged = merged_contacts(stack.tiny.model, stack.report);
+  const auto merged = merged_contacts(stack.tiny.model, stack.report, anywhere);
   REQUIRE(merged.size() == 2);
   CHECK(merged[0].slip == Approx((0.2 + 0.08) / (0.4 * 2)));
   CHECK(merged[1].slip == Approx(0.25));

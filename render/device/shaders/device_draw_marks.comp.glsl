@@ -23,8 +23,10 @@ layout(std430, binding = DRAW_COUNTERS) readonly buffer DrawCounters { uint coun
 layout(std430, binding = DRAW_FIXED) readonly buffer DrawFixed { uint fixed_bits[]; };
 layout(std430, binding = DRAW_GLYPHS) readonly buffer DrawGlyphs {
   dvec3 eye;
-  double d_hat, scale, weight;  // scale: radius of a disc
-  uint work_groups;
+  double d_hat;
+  dvec3 forward;
+  double scale, weight, slope;  // scale: radius of a disc
+  uint work_groups, parallel;
 };
 layout(std430, binding = DRAW_GLYPH_CLASSES) buffer DrawGlyphClasses { uint glyph_classes[]; };
 layout(std430, binding = DRAW_COUNTS) buffer DrawCounts { uint group_first[]; };  // class · work_groups + work group; then of all
@@ -96,12 +98,18 @@ Glyph glyph_of(ContactTold c) {
 }
 bool same_pair(uvec2 x, uvec2 y) { return x == y || x == y.yx; }
 
-// Whether a glyph begins at contact k: where there are many, one for those of the same two bodies with the same normal.
+// PixelMeter::at().
+double meter_at(dvec3 p) {
+  return parallel != 0u ? slope : slope * max(dot(p - eye, forward), 0.02lf * length(p - eye));
+}
+
+// Whether a glyph begins at contact k: one for those of the same two bodies with the same normal where there are many, or
+// where they are closer together than a mark.
 bool find_glyph(uint k, uint contacts, out Glyph all_) {
   const ContactTold c = told[k];
   if (!is_shown(c)) return false;
   all_ = glyph_of(c);
-  if (counter[PUSHING] <= MANY) return true;
+  const bool many = counter[PUSHING] > MANY;
   uint first = k, head = NONE;
   while (first > 0u && same_pair(told[first - 1u].ends.xy, c.ends.xy)) --first;
   double load = 0.0lf;
@@ -112,7 +120,8 @@ bool find_glyph(uint k, uint contacts, out Glyph all_) {
     if (over || other.ends.xy != c.ends.xy || !is_shown(other)) continue;
     const Glyph next = glyph_of(other);
     const double force = loaded(next.force);
-    if (head == NONE || !(dot(next.towards, all_.towards) > SAME_NORMAL)) {
+    if (head == NONE || !(dot(next.towards, all_.towards) > SAME_NORMAL) ||
+        !(many || length(next.at - all_.at) < MARK_WIDTH * max(scale, LEAST_SCALE * meter_at(all_.at)))) {
       over = head == k || j > k;
       if (over) continue;
       all_ = Glyph(next.at, next.towards, next.d, force);
@@ -143,16 +152,18 @@ double log_10(double x) {
 
 // Of six pieces, as add_contact() has them: discs, cylinders, cones, each its rim and itself.
 Piece piece_of(Glyph g, uint piece) {
-  const double s = scale, r = RIM * s;
+  const double s = scale;
   const dvec3 n = g.towards, away = normalize(g.at - eye);
   const bool rim = piece % 2u == 0u;
-  if (piece < 2u) return rim ? Piece(g.at + 0.3lf * r * away, s + r, s + r) : Piece(g.at, s, s);
+  if (piece < 2u) return rim ? Piece(g.at + 0.3lf * RIM * s * away, s + RIM * s, s + RIM * s) : Piece(g.at, s, s);
   const double length_ = s * min(LONGEST, 4.5lf * log_10(1.0lf + 9.0lf * loaded(g.force) / weight));
   if (length_ < SHORTEST * s) return Piece(g.at, 0.0lf, 0.0lf);
-  const double head = min(HEAD_LENGTH * s, 0.6lf * length_), half_ = HEAD / HEAD_LENGTH * head;
+  const double wide = clamp(LEAST_SCALE * meter_at(g.at), s, MOST_GROWN * s), r = RIM * wide;
+  const double head = min(HEAD_LENGTH * wide, 0.6lf * length_);
+  const double half_ = min(HEAD * wide, HEAD / HEAD_LENGTH * head * min(wide / s, BLUNTEST));
   if (piece < 4u) {
     const dvec3 middle = g.at + 0.5lf * (length_ - head) * n;
-    const double shaft = min(SHAFT * s, 0.6lf * half_);
+    const double shaft = min(SHAFT * wide, 0.6lf * half_);
     return rim ? Piece(middle + 2.0lf * (shaft + r) * away, shaft + 0.6lf * r, 0.5lf * (length_ - head))
                : Piece(middle, shaft, 0.5lf * (length_ - head));
   }
