@@ -23,7 +23,8 @@ inline constexpr double kNoForce = 1e-9;     // so that contacts without any hav
 // many times thicker than its own scale has it. Nearer to each other than its width, contacts of a pair are one mark.
 inline constexpr double kLeastScale = 8.7;  // px
 inline constexpr double kMostGrown = 3;
-inline constexpr double kBluntest = 1.9;  // a short head is so many times wider than of its shape
+inline constexpr double kBluntest = 1.9;    // a short head is so many times wider than of its shape
+inline constexpr double kLeastPoint = 1.6;  // radius of the point of a bond, px; also of joints
 inline constexpr double kMarkWidth = 2 * (kHead + kRim);  // × s
 inline constexpr std::uint32_t kRimInk = 0x1b1f27;
 }  // namespace glyph
@@ -46,12 +47,15 @@ inline constexpr std::size_t kManyContacts = 300;
 // What is drawn of one contact, or of several in one place.
 struct ContactGlyph {
   Index a, b;
-  Vec3 at;            // on the body that the arrow pushes; m
+  Vec3 y_a, y_b;      // m
+  bool on_b;          // the arrow pushes b
   Vec3 towards;       // unit
   double d;           // m
   double force;       // normal force, ≥ 0; N
   double slip;        // ‖f_t‖/(μ f_n) of all together; NaN without friction or force
   std::size_t first;  // of the reports
+
+  const Vec3& at() const { return on_b ? y_b : y_a; }
 };
 
 // Those of the same two bodies with the same normal as one if `together` says so of the mark so far and the next place, in the

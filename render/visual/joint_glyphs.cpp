@@ -20,12 +20,12 @@ namespace pabd {
 namespace {
 
 // Pixels at 720 px frame height.
-constexpr double kLeastDot = 1.6, kLargestDot = 5.0;
+constexpr double kLeastDot = glyph::kLeastPoint, kLargestDot = 5.0;
 constexpr double kVisibleGap = 0.5;   // a shorter line between two points says nothing
 constexpr double kLeastSpread = 2.5;  // × rim: points nearer to each other than this are drawn as one pair
 constexpr double kLeastArms = 40;     // of a joint that leaves nothing free
 constexpr double kWrongGap = 3;
-constexpr double kLeastDial = 9, kLargestDial = 54;
+constexpr double kLeastDial = 9, kLeastFreeDial = 27, kLargestDial = 54;
 
 constexpr std::size_t kManyJoints = 2000;  // more are drawn as plain dots
 
@@ -91,7 +91,7 @@ struct JointPainter {
   // An angle about the anchor of i, with a zero mark, a pointer and, if there are any, limits.
   void dial(const JointMeasure& measure, const JointRange* limits) const {
     const double radius = std::min(0.8 * joint.arm, kLargestDial * px);
-    if (radius < (limits ? kLeastDial : 2 * kLeastDial) * px) return;  // many free hinges would be a thicket
+    if (radius < (limits ? kLeastDial : kLeastFreeDial) * px) return;  // many free hinges would be a thicket
     const AnglePlane plane = measure.plane(fi, fj);
     const double phi = measure.value(fi, fj);
     const auto at = [&](double angle, double share) -> Vec3 {

@@ -25,7 +25,7 @@ VisualScene seen(double distance, double apart) {
         {0, 1, at, at, {0, 1, 0}, 0.002 + 0.001 * (x > 0), 9810.0, Vec3::Zero(), true, 0.5});
   }
   VisualOptions options;
-  options.contacts = true;
+  options.contacts = options.bonds = true;
   options.glyph_scale = kScale;
   VisualScene out;
   out.camera.eye = {0, 1, static_cast<float>(distance)};
@@ -68,6 +68,11 @@ TEST_CASE("points of a pair that are closer than a mark on the screen are one, w
   const Instance& disc = far.instances[static_cast<int>(Primitive::disc)][1];
   CHECK((disc.transform.col(3).head<3>() - Vec3f(0, 1, 0)).norm() < 1e-6f);
   CHECK(disc.color == contact_color(0.2));  // of the deeper one
+  const auto points = [](const VisualScene& scene) {
+    return scene.instances[static_cast<int>(Primitive::sphere)].size();
+  };
+  CHECK(points(near) == 4);  // of bonds, one on each body
+  CHECK(points(far) == 2);
   const auto length = [](const VisualScene& scene) {
     const Mat4f& m = scene.instances[static_cast<int>(Primitive::cone)].at(1).transform;
     return m(1, 3) + m(1, 1) - 1;

@@ -126,6 +126,13 @@ TEST_CASE("a hinge shows its axis, its angle and its limits") {
   CHECK(far.lines.empty());
 }
 
+TEST_CASE("a free hinge has a dial where that is large enough to be read, else its axis alone") {
+  CHECK(draw(axis_joint(JointType::hinge, 35 * kPixel), kStart).lines.size() > 1);
+  const VisualScene small = draw(axis_joint(JointType::hinge, 32 * kPixel), kStart);
+  CHECK(small.lines.size() == 1);
+  CHECK(has_line(small, {0, 0, static_cast<float>(-48 * kPixel)}, {0, 0, static_cast<float>(48 * kPixel)}));
+}
+
 TEST_CASE("a hinge held at a limit has four bonds") {
   Joint hinge = axis_joint(JointType::hinge, 0.5);
   hinge.limits = JointRange{-0.5, 0.5};
