@@ -83,6 +83,9 @@ void add_rows(std::vector<UserAction>& out) {
     out.push_back({"color_by", "View", "",
                    std::string("colour of bodies: ") + (color.help ? color.help : label_of(color)),
                    sends(command::ColorBy{color.name})});
+  for (const Choice& quantity : kContactColors)
+    out.push_back({"contacts_by", "View", "", std::string("colour of contacts: ") + quantity.help,
+                   sends(command::ContactsBy{quantity.name})});
   for (std::size_t k = 5; k < std::size(kLookFrom); ++k)
     out.push_back({kLookFrom[k].name, "View", "", kLookFrom[k].label, looks(k)});
   for (const double speed : {0.1, 0.25, 0.5, 1.0, 2.0})

@@ -20,7 +20,8 @@ constexpr double kDoubleClick = 0.5;  // s between two presses that may be one, 
 bool takes_states(const Snapshot& sim, const UiState& ui) {
   const bool marks = ui.marks.velocities || ui.marks.boxes;
   const bool chosen = ui.selection.kind != Selection::Kind::none || ui.follow || ui.joining;
-  return sim.b || marks || chosen || !ui.trails.empty() || ui.color != ColorQuantity::body;
+  return sim.b || marks || chosen || !ui.trails.empty() || ui.color != ColorQuantity::body ||
+         (ui.contacts && ui.contacts_by != ContactQuantity::gap);
 }
 
 void Observer::observe(const Snapshot& sim, const UiState& ui, bool states) {

@@ -12,6 +12,7 @@
 #include "app/gui/inspector_rows.h"
 #include "app/gui/panels.h"
 #include "app/gui/pictures.h"
+#include "app/gui/scene_view.h"
 #include "app/gui/widgets.h"
 #include "app/overlay/imgui_canvas.h"
 #include "app/overlay/view_marks.h"
@@ -44,12 +45,15 @@ ImU32 map_color(double t) {
   return IM_COL32(srgb_byte(c.x()), srgb_byte(c.y()), srgb_byte(c.z()), 255);
 }
 
-void legend(const GuiFrame& f, const Rect& view) {
-  const BodyColors colors = body_colors(f.sim.a, f.sim.b ? &*f.sim.b : nullptr, f.ui.color);
-  if (colors.values.empty() || view.w < 220 * f.unit) return;
-  const float right = static_cast<float>(view.right()) - f.px(12),
-              top = static_cast<float>(view.y) + f.px(12);
-  if (!colors.note.empty()) return note(f, {right, top}, colors.note, {1, 0});
+// Heights in pixels of an ordinary screen, with the room below.
+constexpr double kLegend = 68, kNames = 32, kTop = 12;
+
+bool shows_contact_legend(const GuiFrame& f) {
+  return f.ui.contacts && f.ui.contacts_by != ContactQuantity::gap;
+}
+
+// Title and bar with its upper right corner there.
+void color_bar(const GuiFrame& f, float right, float top, const std::string& title, const ValueRange& range) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
   const float width = f.px(200), bar = f.px(10), line = ImGui::GetTextLineHeight();
   const ImVec2 pad(f.px(10), f.px(7));
@@ -57,8 +61,7 @@ void legend(const GuiFrame& f, const Rect& view) {
   list.AddRectFilled(lo, {right, top + 2 * line + bar + 2 * pad.y + f.px(6)}, packed(f.theme().legend),
                      f.px(4));
   const ImVec2 at = lo + pad;
-  const std::string title = ui_text(colors.title);
-  list.AddText(at, packed(f.theme().text), title.c_str());
+  list.AddText(at, packed(f.theme().text), ui_text(title).c_str());
   const float bar_top = at.y + line + f.px(3);
   constexpr int kPieces = 50;
   for (int i = 0; i < kPieces; ++i) {
@@ -67,12 +70,26 @@ void legend(const GuiFrame& f, const Rect& view) {
                        map_color((i + 0.5) / kPieces));
   }
   const float below = bar_top + bar + f.px(3);
-  for (const double t : {0.0, 0.5, 1.0}) {
-    const std::string text = fmt::format("{:.3g}", colors.range.value(t));
+  for (const double t : range.places()) {
+    const std::string text = fmt::format("{:.3g}", range.value(t));
     const float w = ImGui::CalcTextSize(text.c_str()).x;
     list.AddText({std::round(at.x + static_cast<float>(t) * (width - w)), below}, packed(f.theme().muted),
                  text.c_str());
   }
+}
+
+void legends(const GuiFrame& f, const Rect& view) {
+  if (view.w < 220 * f.unit) return;
+  const BodyColors colors = body_colors(f.sim.a, f.sim.b ? &*f.sim.b : nullptr, f.ui.color);
+  const float right = static_cast<float>(view.right()) - f.px(12);
+  float top = static_cast<float>(view.y) + f.px(12);
+  if (!colors.note.empty()) note(f, {right, top}, colors.note, {1, 0});
+  if (colors.note.empty() && !colors.values.empty()) color_bar(f, right, top, colors.title, colors.range);
+  if (!shows_contact_legend(f)) return;
+  if (!colors.values.empty()) top += f.px(kLegend);
+  const bool force = f.ui.contacts_by == ContactQuantity::force;
+  color_bar(f, right, top, force ? "normal force, N" : "friction / (μ · normal force)",
+            force ? shown_forces(f.sim) : ValueRange{});
 }
 
 // Beside the springs of hands: how hard they pull.
@@ -93,10 +110,9 @@ void pulls(const GuiFrame& f, const RunView& run, const Rect& view) {
 
 }  // namespace
 
-// Heights in pixels of an ordinary screen, with the room below.
 double below_captions(const GuiFrame& f) {
-  constexpr double kLegend = 68, kNames = 32, kTop = 12;
-  return f.unit * (kTop + (f.ui.color != ColorQuantity::body ? kLegend : f.sim.b ? kNames : 0));
+  const double count = (f.ui.color != ColorQuantity::body) + shows_contact_legend(f);
+  return f.unit * (kTop + (count > 0 ? count * kLegend : f.sim.b ? kNames : 0));
 }
 double below_recording(const GuiFrame& f) {
   constexpr double kRecording = 96;
@@ -112,7 +128,7 @@ void draw_picture_notes(GuiFrame& f, const GuiLayout& layout) {
   ImGui::GetBackgroundDrawList()->PushClipRect(
       {static_cast<float>(layout.view.x), static_cast<float>(layout.view.y)},
       {static_cast<float>(layout.view.right()), static_cast<float>(layout.view.bottom())});
-  legend(f, layout.view);
+  legends(f, layout.view);
   if (f.ui.marks.axes || f.ui.marks.scale) {
     ImGuiCanvas canvas(f.metrics, f.fonts, *ImGui::GetBackgroundDrawList());
     const Camera camera = rounded(f.ui.camera);

@@ -20,6 +20,11 @@ namespace {
 constexpr std::chrono::milliseconds kVideoShare{20};        // of a frame, for a video
 constexpr int kLeastPicture = 16, kLargestPicture = 16384;  // pixels
 
+// What contacts are shown by, if they are.
+const char* contacts_words(const UiState& ui) {
+  return kContactQuantities[static_cast<std::size_t>(ui.contacts ? ui.contacts_by : ContactQuantity::gap)];
+}
+
 Frame frame_of(const Snapshot& sim) {
   std::optional<FrameView> b;
   if (sim.b) b = *sim.b;
@@ -54,7 +59,8 @@ ViewFacts facts_of(const Snapshot& sim, const UiState& ui, int width, int height
           .camera = camera_words(rounded(ui.camera)),
           .gl_renderer = renderer,
           .theme = std::string(ui.theme->name),
-          .color_by = kColorNames[static_cast<std::size_t>(ui.color)]};
+          .color_by = kColorNames[static_cast<std::size_t>(ui.color)],
+          .contacts_by = contacts_words(ui)};
 }
 
 // The frame that was composed last, into a file.
@@ -90,6 +96,7 @@ std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, 
   OverlayChoice overlay = parse_overlay(facts.overlay);
   overlay.theme = ui.theme;
   overlay.color_by(ui.color);
+  overlay.show_contacts_by(contact_quantity(facts.contacts_by));
   AbPainter painter(context, sim.scene, frame, ui.side_by_side ? AbView::side : AbView::ghost, width, height,
                     overlay, parse_camera(facts.camera), sim.b ? sim.b->scene : nullptr);
   painter.draw(frame);

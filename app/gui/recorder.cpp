@@ -87,6 +87,7 @@ void Recorder::start(const command::Record& record, const Snapshot& sim, const U
   job->overlay = parse_overlay(job->overlay_text);
   job->overlay.theme = ui.theme;
   job->overlay.color_by(ui.color);
+  if (job->overlay.contacts) job->overlay.show_contacts_by(ui.contacts_by);
   job->trails = TrailRecorder(ui.trails, kTrailTime);
   if (ui.fly && !ui.camera_keys.empty()) {
     job->camera.keys = ui.camera_keys;
@@ -129,6 +130,7 @@ void Recorder::open(const Frame& first) {
                         .gl_renderer = job.painter->gl_renderer(),
                         .theme = std::string(job.overlay.theme->name),
                         .color_by = kColorNames[static_cast<std::size_t>(job.overlay.color)],
+                        .contacts_by = kContactQuantities[static_cast<std::size_t>(job.overlay.contacts_by)],
                         .trails = std::move(trails)};
   const PngText common = common_text(*job.scene, facts, first.a, first.b ? &*first.b : nullptr,
                                      job.ab_view == AbView::side ? "side" : "ghost", job.scene_b.get());

@@ -9,6 +9,7 @@
 #include "app/frames/scene_framing.h"
 #include "render/visual/body_marks.h"
 #include "render/visual/bounds.h"
+#include "render/visual/force_chains.h"
 #include "render/visual/outline.h"
 
 namespace pabd {
@@ -26,6 +27,8 @@ void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) 
   VisualOptions options;
   options.contacts = ui.contacts;
   options.bonds = ui.bonds;
+  options.contacts_by = ui.contacts_by;
+  if (ui.contacts_by == ContactQuantity::force) options.force_range = shown_forces(sim);
   options.d_hat = run.params.contact.d_hat;
   out.camera = rounded(ui.camera);
   out.theme = ui.theme;
@@ -46,6 +49,12 @@ void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) 
 
 }  // namespace
 
+ValueRange shown_forces(const Snapshot& sim) {
+  double largest = largest_force(*sim.a.model, sim.a.report);
+  if (sim.b) largest = std::max(largest, largest_force(*sim.b->model, sim.b->report));
+  return force_range(largest);
+}
+
 bool SceneView::draw(const Snapshot& sim, const UiState& ui, const std::vector<Trail>& trails,
                      const GuiLayout& layout, const RenderQuality& quality, double scale, Renderer& renderer,
                      DevicePicture& device) {
@@ -54,8 +63,8 @@ bool SceneView::draw(const Snapshot& sim, const UiState& ui, const std::vector<T
   };
   const int width = pixels(layout.views[0].w), height = pixels(layout.views[0].h);
   const bool two = sim.b && ui.side_by_side;
-  const Key key{sim.serial,   width,   height,        ui.contacts, ui.bonds, two,      ui.color,
-                ui.selection, ui.dark, quality.level, ui.marks,    ui.theme, ui.trails};
+  const Key key{sim.serial,     width,        height,  ui.contacts,   ui.bonds, two,      ui.color,
+                ui.contacts_by, ui.selection, ui.dark, quality.level, ui.marks, ui.theme, ui.trails};
   const Camera camera = rounded(ui.camera);
   if (key == key_ && camera == camera_) return false;
   key_ = key;

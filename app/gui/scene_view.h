@@ -26,13 +26,16 @@ class SceneView {
 
  private:
   // What a picture depends on beside the camera.
-  using Key = std::tuple<std::uint64_t, int, int, bool, bool, bool, ColorQuantity, Selection, bool, Quality,
-                         PictureMarks, const PictureTheme*, std::vector<TrailPoint>>;
+  using Key = std::tuple<std::uint64_t, int, int, bool, bool, bool, ColorQuantity, ContactQuantity, Selection,
+                         bool, Quality, PictureMarks, const PictureTheme*, std::vector<TrailPoint>>;
 
   std::optional<Key> key_;  // of the last picture; none: there is none
   Camera camera_;
   VisualScene visual_[2];
 };
+
+// Of the forces of contacts in both simulations.
+ValueRange shown_forces(const Snapshot& sim);
 
 // Points the camera so that all spots are seen as `like` looks; until somebody moves it, reframe() keeps it so.
 void frame_spots(std::shared_ptr<const std::vector<Spot>> spots, const CameraPose& like, const Viewport& port,

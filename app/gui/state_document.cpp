@@ -144,6 +144,7 @@ OrderedJson state_document(const Snapshot& sim, const UiState& ui) {
             {"background", std::string(ui.theme->name)},
             {"trails", std::move(trails)},
             {"color", kColors[static_cast<std::size_t>(ui.color)].name},
+            {"contacts_by", kContactQuantities[static_cast<std::size_t>(ui.contacts_by)]},
             {"selection",
              {{"kind", kSelectionKinds[static_cast<std::size_t>(ui.selection.kind)].name},
               {"index", ui.selection.index}}},

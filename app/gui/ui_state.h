@@ -64,6 +64,7 @@ struct UiState {
   const PictureTheme* theme = &kStudioTheme;  // of the picture; never null
   std::vector<TrailPoint> trails;             // whose paths are shown
   ColorQuantity color = ColorQuantity::body;
+  ContactQuantity contacts_by = ContactQuantity::gap;
   Selection selection;
   std::optional<Joining> joining;
   bool side_by_side = false;  // of A and B; else B is a ghost

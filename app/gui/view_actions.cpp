@@ -116,6 +116,10 @@ struct Actor {
   void operator()(const command::ColorBy& c) const {
     ui.color = static_cast<ColorQuantity>(place_in(kColors, c.choice));
   }
+  void operator()(const command::ContactsBy& c) const {
+    ui.contacts_by = contact_quantity(c.choice);
+    ui.contacts = true;
+  }
   void operator()(const command::Show& c) const {
     const std::size_t i = place_in(mark_choices(), c.what);
     (i == 0 ? ui.contacts : i == 1 ? ui.bonds : ui.marks.*(picture_marks()[i - 2].on)) = c.on;
@@ -269,6 +273,8 @@ std::string render_command(const Snapshot& sim, const UiState& ui) {
   if (const std::string overlay = overlay_words(ui); overlay != "none") out += " --overlay " + overlay;
   if (ui.color != ColorQuantity::body)
     out += std::string(" --color-by ") + kColorNames[static_cast<std::size_t>(ui.color)];
+  if (ui.contacts && ui.contacts_by != ContactQuantity::gap)
+    out += std::string(" --contacts-by ") + kContactQuantities[static_cast<std::size_t>(ui.contacts_by)];
   if (ui.theme != &kStudioTheme) out += " --theme " + std::string(ui.theme->name);
   for (const TrailPoint& point : ui.trails) out += " --trail " + sh_word(trail_words(point));
   out += " --camera " + sh_word(camera_words(followed_view(sim, ui), sim.scene->model, sim.scene->initial));

@@ -91,6 +91,8 @@ struct Join {
   void fields(auto&& f) { f(need("type", joint_choices(), R"("hinge")", "none after all"), type); }
 };
 using ColorBy = Pick<"color_by", "quantity", kColors, R"("speed")">;
+// What the colours of contacts say; shows them.
+using ContactsBy = Pick<"contacts_by", "quantity", kContactColors, R"("force")">;
 // What is drawn into the picture.
 struct Show {
   static constexpr const char* name = "show";
@@ -292,12 +294,12 @@ struct Quit {
 using ViewCommand =
     std::variant<command::Panel, command::Theme, command::Scale, command::Help, command::Palette,
                  command::HideUi, command::Look, command::LookFrom, command::Ortho, command::Follow,
-                 command::FrameSelection, command::Select, command::Join, command::ColorBy, command::Show,
-                 command::Background, command::Trail, command::CompareView, command::BarrierView,
-                 command::ConvergenceView, command::SeriesView, command::DifferenceView, command::Screenshot,
-                 command::ExportPlot, command::Record, command::StopRecord, command::AddCameraKey,
-                 command::DropCameraKey, command::ClearCameraKeys, command::Fly, command::SaveCamera,
-                 command::LoadCamera, command::Costs, command::OpenSweep, command::SweepView,
-                 command::LoadRun, command::Ask, command::CopyCommand, command::Quit>;
+                 command::FrameSelection, command::Select, command::Join, command::ColorBy,
+                 command::ContactsBy, command::Show, command::Background, command::Trail,
+                 command::CompareView, command::BarrierView, command::ConvergenceView, command::SeriesView,
+                 command::DifferenceView, command::Screenshot, command::ExportPlot, command::Record,
+                 command::StopRecord, command::AddCameraKey, command::DropCameraKey, command::ClearCameraKeys,
+                 command::Fly, command::SaveCamera, command::LoadCamera, command::Costs, command::OpenSweep,
+                 command::SweepView, command::LoadRun, command::Ask, command::CopyCommand, command::Quit>;
 
 }  // namespace pabd

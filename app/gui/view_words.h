@@ -9,6 +9,7 @@
 #include "app/overlay/body_colors.h"
 #include "app/plots/figures/quantity_plot.h"
 #include "app/workbench/command.h"
+#include "render/visual/build_visual.h"
 #include "render/visual/picture_marks.h"
 #include "render/visual/picture_theme.h"
 #include "sim/body/joint.h"
@@ -39,6 +40,10 @@ inline constexpr Choice kColors[] = {{kColorNames[0], "body", "tell bodies apart
                                      {kColorNames[3]},
                                      {kColorNames[4], "component", "connected components"}};
 static_assert(std::size(kColors) == std::size(kColorNames));
+inline constexpr Choice kContactColors[] = {
+    {kContactQuantities[0], nullptr, "gap, d/d̂"},
+    {kContactQuantities[1], nullptr, "normal force, as bars along which loads go"},
+    {kContactQuantities[2], nullptr, "the used part of the largest friction"}};
 inline constexpr Choice kCompareViews[] = {{"ghost"}, {"side"}};
 inline constexpr Choice kRunPlaces[] = {{"start"}, {"end"}};
 

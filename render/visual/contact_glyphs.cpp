@@ -52,9 +52,15 @@ double loaded(const ContactReport& contact) {
 ContactGlyph glyph_of(const Model& model, const ContactReport& contact, std::size_t number = 0) {
   const bool b = pushes_b(model, contact);
   const double force = loaded(contact);
-  return {contact.a,   contact.b, contact.y_a,
-          contact.y_b, b,         b ? contact.n : Vec3(-contact.n),
-          contact.d,   force,     contact.friction.norm() / (contact.mu * force),
+  return {contact.a,
+          contact.b,
+          contact.y_a,
+          contact.y_b,
+          b ? contact.y_b : contact.y_a,
+          b ? contact.n : Vec3(-contact.n),
+          contact.d,
+          force,
+          contact.friction.norm() / (contact.mu * force),
           number};
 }
 
@@ -74,19 +80,19 @@ void add_contact(const ContactGlyph& glyph, const VisualOptions& options, double
   const PixelMeter meter(out.camera);
   const Vec4f color = mark_color(glyph, options), rim = srgb_color(kRimInk);
   const Vec3& n = glyph.towards;
-  const Vec3 away = -meter.to_eye(glyph.at());
+  const Vec3 away = -meter.to_eye(glyph.at);
   double r = kRim * s;
   // What is a little larger, and far enough behind, shows as a rim.
-  add(out, Primitive::disc, place_along(glyph.at() + 0.3 * r * away, n, s + r, s + r), rim, false);
-  add(out, Primitive::disc, place_along(glyph.at(), n, s, s), color, false);
+  add(out, Primitive::disc, place_along(glyph.at + 0.3 * r * away, n, s + r, s + r), rim, false);
+  add(out, Primitive::disc, place_along(glyph.at, n, s, s), color, false);
   const double length = arrow_length(glyph.force, s, weight);
   if (length < kShortest * s) return;
   // Its width is that of another scale; a head that has to be short keeps it.
-  const double g = std::clamp(kLeastScale * meter.at(glyph.at()), s, kMostGrown * s);
+  const double g = std::clamp(kLeastScale * meter.at(glyph.at), s, kMostGrown * s);
   r = kRim * g;
   const double head = std::min(kHeadLength * g, 0.6 * length);
   const double half = std::min(kHead * g, kHead / kHeadLength * head * std::min(g / s, kBluntest));
-  const Vec3 base = glyph.at() + (length - head) * n, middle = glyph.at() + 0.5 * (length - head) * n;
+  const Vec3 base = glyph.at + (length - head) * n, middle = glyph.at + 0.5 * (length - head) * n;
   const double shaft = std::min(kShaft * g, 0.6 * half);
   add(out, Primitive::cylinder,
       place_along(middle + 2 * (shaft + r) * away, n, shaft + 0.6 * r, 0.5 * (length - head)), rim, false);
@@ -100,7 +106,7 @@ void add_bond(const ContactGlyph& contact, double s, VisualScene& out) {
   // Points as close as d̂ would hide each other: as large as their distance allows, but wider than an arrow's
   // shaft.
   const double gap = (contact.y_b - contact.y_a).norm();
-  const double least = std::min(kLeastPoint * PixelMeter(out.camera).at(contact.at()), s);
+  const double least = std::min(kLeastPoint * PixelMeter(out.camera).at(contact.at), s);
   const double r = std::max(std::clamp(0.45 * gap, 0.34 * s, 0.5 * s), least);
   add(out, Primitive::sphere, place_along(contact.y_a, Vec3::UnitY(), r, r), bond_point_i_color(), true);
   add(out, Primitive::sphere, place_along(contact.y_b, Vec3::UnitY(), r, r), bond_point_j_color(), true);
@@ -161,8 +167,7 @@ std::vector<ContactGlyph> merged_contacts(const Model& model, const StepReport& 
     const ContactGlyph next =
         glyph_of(model, *contact, static_cast<std::size_t>(contact - report.contact_reports.data()));
     const bool one = !out.empty() && next.a == out.back().a && next.b == out.back().b &&
-                     next.towards.dot(out.back().towards) > kSameNormal &&
-                     together(out.back().at(), next.at());
+                     next.towards.dot(out.back().towards) > kSameNormal && together(out.back().at, next.at);
     if (!one) {
       out.push_back(next);
       load = allowed = slipping = 0;
@@ -176,6 +181,7 @@ std::vector<ContactGlyph> merged_contacts(const Model& model, const StepReport& 
     const double share = (next.force + kNoForce) / load;
     all.y_a += share * (next.y_a - all.y_a);
     all.y_b += share * (next.y_b - all.y_b);
+    all.at += share * (next.at - all.at);
     all.d = std::min(all.d, next.d);
     all.force += next.force;
   }

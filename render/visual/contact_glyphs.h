@@ -48,14 +48,12 @@ inline constexpr std::size_t kManyContacts = 300;
 struct ContactGlyph {
   Index a, b;
   Vec3 y_a, y_b;      // m
-  bool on_b;          // the arrow pushes b
+  Vec3 at;            // on the body that the arrow pushes; m
   Vec3 towards;       // unit
   double d;           // m
   double force;       // normal force, ≥ 0; N
   double slip;        // ‖f_t‖/(μ f_n) of all together; NaN without friction or force
   std::size_t first;  // of the reports
-
-  const Vec3& at() const { return on_b ? y_b : y_a; }
 };
 
 // Those of the same two bodies with the same normal as one if `together` says so of the mark so far and the next place, in the

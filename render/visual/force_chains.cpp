@@ -38,7 +38,7 @@ void add_force_chains(const Model& model, const State& state, const StepReport& 
                    [](const ContactGlyph& x, const ContactGlyph& y) { return x.force < y.force; });
   const PixelMeter meter(out.camera);
   for (const ContactGlyph& load : glyphs) {
-    const double place = range.place(load.force), px = meter.at(load.at());
+    const double place = range.place(load.force), px = meter.at(load.at);
     const double width = std::max(kThinnestBar, place * place * std::min(kWidestBar, kBarShare * scale / px));
     const Vec4f color = value_color(place), rim = srgb_color(glyph::kRimInk);
     for (const bool under : {true, false}) {
@@ -47,13 +47,13 @@ void add_force_chains(const Model& model, const State& state, const StepReport& 
         if (body < 0 || body >= model.size() || !has_finite_pose(state, body)) continue;
         if (model.fixed[body]) {
           const Vec3 across =
-              load.towards.cross(meter.to_eye(load.at())).stableNormalized() * (0.9 * width * px);
-          add_line(out, load.at() - across, load.at() + across, pen);
+              load.towards.cross(meter.to_eye(load.at)).stableNormalized() * (0.9 * width * px);
+          add_line(out, load.at - across, load.at + across, pen);
         } else {
-          const Vec3 way = state.c[body] - load.at();
+          const Vec3 way = state.c[body] - load.at;
           // Square ends, so that bars meet without a notch.
           const Vec3 more = 0.5 * width * px * way.stableNormalized();
-          add_line(out, load.at() - more, state.c[body] + more, pen);
+          add_line(out, load.at - more, state.c[body] + more, pen);
         }
       }
     }

@@ -125,14 +125,11 @@ TEST_CASE("glyphs of contacts are the same from the GPU's records, few and many,
   VisualOptions options;
   options.contacts = true;
   options.d_hat = kHat;
-  options.glyph_scale =
-      many ? 0.025 : 0.05;  // short: few lie on each other, where hidden ones mix in another order
   Camera camera = frame_camera(tiny.model, tiny.state, double{kWidth} / kHeight);
   camera.orthographic = GENERATE(false, true);
   camera.eye += 0.5f * (camera.eye - camera.target);  // all are in sight
   const Twin twin(tiny.model, tiny.state, options, camera, report);
-  bodies.mark_contacts(tiny.model, {told.id(), numbers.id(), contacts.told.size()},
-                       {.d_hat = kHat, .scale = options.glyph_scale});
+  bodies.mark_contacts(tiny.model, {told.id(), numbers.id(), contacts.told.size()}, {.d_hat = kHat});
   const CompareResult result = compare(renderer, twin, bodies, many ? "many_marks" : "few_marks");
   CAPTURE(many, camera.orthographic, result.reason, result.max_difference, result.differing);
   // Rounding moves a few edges of arrows where forces were added up.

@@ -31,17 +31,23 @@ std::unique_ptr<GlContext> make_context() {
 
 // As `pabd render -o out --frames count --fps fps --size 160x90` does.
 void render(const std::string& out, int count, double fps, const std::string& overlay_text,
-            const std::string& camera, const std::vector<std::string>& sets = {}) {
+            const std::string& camera, const std::vector<std::string>& sets = {},
+            ColorQuantity bodies_by = ColorQuantity::body,
+            ContactQuantity contacts_by = ContactQuantity::gap) {
   const auto context = make_context();
   Run run(std::make_shared<const Scene>(load_scene(kPictureScene, sets)), 1, kNoPast);
-  const OverlayChoice overlay = parse_overlay(overlay_text);
-  run.observe(overlay.needs_iterations(), overlay.needs_contacts());
+  OverlayChoice overlay = parse_overlay(overlay_text);
+  overlay.color_by(bodies_by);
+  overlay.show_contacts_by(contacts_by);
+  run.observe(overlay.needs_iterations(), overlay.needs_contacts(), overlay.needs_bodies());
   const CameraOption option = parse_camera(camera);
   const Frame start = make_frame(0, run.view(), {}, {});
   AbPainter painter(*context, run.shared_scene(), start, AbView::side, 160, 90, overlay, option);
   const FrameRange range{0, count, fps};
-  const PngText common = common_text(
-      run.scene(), {160, 90, fps, overlay_text, camera_text(option, camera), painter.gl_renderer()}, start.a);
+  ViewFacts facts{160, 90, fps, overlay_text, camera_text(option, camera), painter.gl_renderer()};
+  facts.color_by = kColorNames[static_cast<std::size_t>(bodies_by)];
+  facts.contacts_by = kContactQuantities[static_cast<std::size_t>(contacts_by)];
+  const PngText common = common_text(run.scene(), facts, start.a);
   AsyncSink sink(make_sink(out, sink_options(start.a, common, range, 160, 90, 0)));
   LiveSource source(std::move(run), {}, range);
   render_frames(source, painter, sink, {[] { return false; }, [](int, const StepSummary&) {}});
@@ -81,6 +87,19 @@ TEST_CASE("a video of the past is what render makes of the run") {
   check_same(folder.path(), "a{frame:03}.png", "b{frame:03}.png", 20);
   render((folder.path() / "d{frame:03}.png").string(), 20, 100, "convergence,series,contacts", kCamera);
   check_same(folder.path(), "c{frame:03}.png", "d{frame:03}.png", 20);
+}
+
+TEST_CASE("a video of the past has the colours of the window, as render draws them") {
+  const TempFolder folder;
+  play(R"([{"do":"step","steps":24},{"do":"look","eye":[3,2,4],"target":[0,0.5,0],"fov":40},
+           {"do":"color_by","quantity":"energy"},{"do":"show","what":"contacts","on":false},
+           {"do":"contacts_by","quantity":"force"},{"do":"expect","at":"/ui/contacts","is":true},
+           {"do":"expect","at":"/ui/contacts_by","is":"force"},
+           {"do":"record","path":"{out}/a{frame:03}.png","width":160,"height":90}])",
+       folder.path());
+  render((folder.path() / "b{frame:03}.png").string(), 24, 60, "contacts,bonds", kCamera, {},
+         ColorQuantity::energy, ContactQuantity::force);
+  check_same(folder.path(), "a{frame:03}.png", "b{frame:03}.png", 24);
 }
 
 TEST_CASE("parameters that were set at the start are those of the video, and the camera flies the same way") {

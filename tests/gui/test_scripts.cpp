@@ -129,6 +129,7 @@ TEST_CASE("an action that is refused ends the script, with file, number and why"
       {R"({"do":"series_view","quantity":"gaps"})", "\"gap\""},
       {R"({"do":"convergence_view","quantity":"energy gap"})", "\"energy_gap\""},
       {R"({"do":"color_by","quantity":"weight"})", "\"speed\""},
+      {R"({"do":"contacts_by","quantity":"heat"})", "\"force\""},
       {R"({"do":"select","kind":"body","item":"nobody"})", "nobody"},
       {R"({"do":"seek","time":1e999})", ""},
       {R"({"do":"edit","edit":{"do":"remove_body","body":12}})", "12"},
@@ -292,13 +293,14 @@ TEST_CASE("the copied command has theme, trails, and the body that the camera fo
   const TempFolder folder;
   carry_out(Script(R"([{"do":"load","scene":"four_bar","force":true},{"do":"background","theme":"dark"},
                        {"do":"trail","of":"com"},{"do":"trail","of":"pen@0.1,0,0"},
+                       {"do":"color_by","quantity":"speed"},{"do":"contacts_by","quantity":"friction"},
                        {"do":"look","eye":[1,2,6],"target":[1,1,0],"fov":40},
                        {"do":"print","at":"/ui/eye"},{"do":"follow","body":"pen"},{"do":"step","steps":90},
                        {"do":"expect","at":"/ui/eye","is_not":[1,2,6]},{"do":"copy_command"}])",
                    "s"),
             folder, renderer, &copied, &printed);
   std::erase(copied, '\'');
-  CHECK_THAT(copied, Catch::Contains(" --theme dark ") &&
+  CHECK_THAT(copied, Catch::Contains(" --color-by speed --contacts-by friction --theme dark ") &&
                          Catch::Contains(" --trail com --trail pen@0.1,0,0 ") &&
                          Catch::Contains(",follow:pen"));
   // Where the camera was when the body was where the run begins; it is rounded to floats on the way.
