@@ -28,6 +28,10 @@ struct Quantity {
   X(position,          "position",           "m")     \
   X(joint_error,       "largest error",      "m")     \
   X(joints,            "joints",             "m")     \
+  X(any_force,         "force",              "N")     \
+  X(error,             "error",              "m")     \
+  X(ratio,             "ratio",              "1")     \
+  X(count,             "count",              "1")     \
   X(energy,            "energy",             "J")     \
   X(incremental,       "E",                  "J")     \
   X(above_end,         "E − E_{end}",        "J")     \

@@ -32,7 +32,7 @@ std::string field(const std::string& name) {
 void write_steps_header(std::ostream& out) {
   out << "step,time,method,status";
   for (const StepNumber& number : step_numbers().subspan(kBeforeWords)) out << ',' << number.name;
-  out << ",step_ms\n";
+  out << ',' << kStepTime << '\n';
 }
 
 // A step that failed ends in no state: what a state has is not known of it, and not zero.

@@ -109,7 +109,8 @@ TEST_CASE("bash offers every command, and every option that the help of a comman
                                              {"sweep"},
                                              {"sweep", "collect"},
                                              {"plot", "barrier"},
-                                             {"plot", "convergence"}}) {
+                                             {"plot", "convergence"},
+                                             {"plot", "series"}}) {
     std::string words = "pabd ";
     for (const std::string& word : command) words += word + " ";
     CAPTURE(words);

@@ -46,6 +46,7 @@ std::string shortened(std::string line) {
   if (line.starts_with("pabd run")) return replaced(line, " --(time|steps) [0-9.]+", "") + " --steps 2";
   if (line.starts_with("pabd plot convergence"))
     return replaced(line, " --at-step [0-9]+", " --at-step 2") + " --iterations 5";
+  if (line.starts_with("pabd plot")) return replaced(line, " --time [0-9.]+", " --time 0.05");
   if (line.starts_with("pabd serve")) return line + " --help";  // it waits for visitors
   // Without a display a script does what a hand would: here nothing.
   if (line.starts_with("pabd view") && line.find("--script") == line.npos)

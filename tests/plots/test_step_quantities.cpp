@@ -87,4 +87,49 @@ TEST_CASE("against time there is the cursor; a second run is dashed") {
   CHECK(plot.series[3].x == std::vector<double>{0.2});
 }
 
+TEST_CASE("over time there is a plot a unit, and κ and counts stand apart") {
+  const std::vector<StepSummary> steps = reports();
+  std::vector<const StepQuantity*> all;
+  for (const StepQuantity& q : step_quantities()) all.push_back(&q);
+  const Figure figure = quantities_figure(steps, all);
+  std::set<std::string> titles;
+  std::size_t curves = 0;
+  for (const Plot& plot : figure.plots) {
+    CAPTURE(plot.title);
+    CHECK(titles.insert(plot.title).second);
+    std::set<std::pair<int, int>> looks;
+    const std::string unit = plot.y.label.substr(plot.y.label.rfind('['));
+    for (const Series& series : plot.series) {
+      ++curves;
+      CHECK(looks.insert({series.color, series.dash}).second);
+      CHECK(series.x.front() == 0.1);
+      for (const StepQuantity& q : step_quantities())
+        if (q.words == series.name) CHECK(unit == "[" + q.unit + "]");
+    }
+  }
+  CHECK(curves == all.size());
+  CHECK(titles == std::set<std::string>{"Counts", "Time", "Energies", "Lengths", "Forces", "Ratios",
+                                        "Stiffness", "Times"});
+}
+
+TEST_CASE("chosen numbers: values, order, and a label of its own where a plot has one curve") {
+  const std::vector<StepSummary> steps = reports();
+  const StepQuantity* const shown[] = {&quantity("max_penetration"), &quantity("kinetic"),
+                                       &quantity("elastic")};
+  Figure figure = quantities_figure(steps, shown);
+  REQUIRE(figure.plots.size() == 2);
+  CHECK(figure.plots[0].y.label == "penetration [m]");
+  CHECK(figure.plots[0].series[0].name.empty());
+  CHECK(figure.plots[0].series[0].y == std::vector<double>{1e-3, 2e-3, 3e-3, 4e-3});
+  CHECK(figure.plots[1].y.label == "energy [J]");
+  CHECK(figure.plots[1].series[0].name == "kinetic energy");
+  CHECK(figure.plots[1].series[1].y == std::vector<double>(4, 0.5));
+  use_log_axes(figure);
+  for (const Plot& plot : figure.plots) CHECK(plot.y.log);
+  CHECK(figure.caption.empty());
+  figure.plots[0].series[0].y[2] = 0;
+  use_log_axes(figure);
+  CHECK(figure.caption.find("0 and below") != std::string::npos);
+}
+
 }  // namespace pabd::test_step_quantities

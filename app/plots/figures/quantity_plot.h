@@ -15,6 +15,7 @@ struct StepQuantity {
   const char* key;    // "max_joint_error": in commands and settings
   const char* words;  // rich text, for lists
   std::string axis;   // with unit
+  std::string unit;   // "1": none
   std::function<double(const StepSummary&)> value;
   bool integer = false;
 };
@@ -28,5 +29,12 @@ std::string step_quantity_words();
 // the step nearest to the cursor is a marker. The other run is dashed.
 Plot quantity_plot(std::span<const StepSummary> reports, const StepQuantity& x, const StepQuantity& y,
                    const TimePanelOptions& options = {});
+
+// Against time, a plot a unit; counts and other numbers without a unit stand apart, and κ, which is no energy. In the
+// order of the list.
+Figure quantities_figure(std::span<const StepSummary> reports, std::span<const StepQuantity* const> shown);
+
+// The vertical axes of all plots logarithmic; the caption says where that leaves values out.
+void use_log_axes(Figure& figure);
 
 }  // namespace pabd
