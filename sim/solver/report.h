@@ -56,6 +56,7 @@ struct JointReport {
   Vec3 force = Vec3::Zero();   // N
   Vec3 moment = Vec3::Zero();  // about the joint's anchor on the first body; N m
   Vec3 axis = Vec3::UnitX();   // of the joint, with the first body; unit
+  double error = 0;            // largest distance between points that it holds together; m
   double coupling = 0;         // what the joint that it follows drives its angle or offset with; N m or N
 };
 

@@ -136,6 +136,7 @@ void report_joints(const Problem& p, const Iterate& it, const std::vector<Vec3>&
     expand_at(p, it, number, list);
     JointReport report;
     report.axis = frame.F.col(0);
+    report.error = result_of_joint(p, it, number).error;
     // A solver that knows the force of a joint with one bond knows it better than its stretch does: that is
     // some rounding steps of a place.
     const bool known = list.count == 1 && !solved[k].isZero(0);

@@ -69,16 +69,18 @@ void write_iterations_rows(std::ostream& out, const StepReport& report) {
 }
 
 void write_joints_header(std::ostream& out) {
-  out << "step,time,joint,name,force_x,force_y,force_z,moment_x,moment_y,moment_z,axial_force,axial_moment\n";
+  out << "step,time,joint,name,force_x,force_y,force_z,moment_x,moment_y,moment_z,axial_force,axial_moment,"
+         "error\n";
 }
 
 void write_joints_rows(std::ostream& out, const Model& model, const StepReport& report) {
   fmt::memory_buffer line;
   for (std::size_t k = 0; k < report.joint_reports.size(); ++k) {
     const JointReport& r = report.joint_reports[k];
-    fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{},{},{},{},{},{}\n", report.step,
+    fmt::format_to(std::back_inserter(line), "{},{},{},{},{},{},{},{},{},{},{},{},{}\n", report.step,
                    report.time, k, field(model.joints[k].name), r.force.x(), r.force.y(), r.force.z(),
-                   r.moment.x(), r.moment.y(), r.moment.z(), r.force.dot(r.axis), r.moment.dot(r.axis));
+                   r.moment.x(), r.moment.y(), r.moment.z(), r.force.dot(r.axis), r.moment.dot(r.axis),
+                   r.error);
   }
   put(out, line);
 }

@@ -34,9 +34,10 @@ TEST_CASE("--joints writes a row a joint and step: at rest the first joint of a 
   const auto rows = lines_of(read_text(folder / "joints.csv"));
   REQUIRE(rows.size() == 1 + 2 * 60);
   CHECK(rows[0] ==
-        "step,time,joint,name,force_x,force_y,force_z,moment_x,moment_y,moment_z,axial_force,axial_moment");
+        "step,time,joint,name,force_x,force_y,force_z,moment_x,moment_y,moment_z,axial_force,axial_moment,"
+        "error");
   const auto top = fields_of(rows[119]), lower = fields_of(rows[120]);
-  REQUIRE(top.size() == 12);
+  REQUIRE(top.size() == 13);
   CHECK(top[0] == "60");
   CHECK(std::stod(top[1]) == Approx(1));
   CHECK(top[2] == "0");
@@ -45,6 +46,8 @@ TEST_CASE("--joints writes a row a joint and step: at rest the first joint of a 
   CHECK(lower[2] == "1");
   CHECK(std::stod(lower[5]) == Approx(10).epsilon(5e-6));
   CHECK(std::abs(std::stod(lower[11])) < 5e-5);
+  CHECK(std::stod(top[12]) >= 0);
+  CHECK(std::stod(top[12]) < 1e-6);
 }
 
 TEST_CASE("--joints to standard output, of a scene without joints, and onto another output") {
