@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pabd plot barrier: B_N and B_N' against d, for lists of N, d̂, κ and kinds.
+// pabd plot barrier: B_N and B_N' against d, for lists of N, d̂, κ and kinds; or the law of a scene with its contacts.
 #include <fmt/format.h>
 
 #include <algorithm>
@@ -9,7 +9,11 @@
 #include <optional>
 
 #include "app/cli/figure_output.h"
+#include "app/cli/plot_run.h"
+#include "app/overlay/overlay_panels.h"
+#include "app/plots/figures/barrier_curves.h"
 #include "app/plots/figures/barrier_figure.h"
+#include "app/plots/figures/run_caption.h"
 #include "sim/base/error.h"
 #include "sim/solver/params.h"
 
@@ -25,9 +29,10 @@ struct PlotBarrierOptions {
   std::vector<int> N{1, 2, 3, 8};
   std::vector<double> d_hat{0.01};
   std::vector<double> kappa;
-  double onset = 0;
+  double onset = ContactParams{}.onset;
   std::string against = "d";
   std::vector<double> gaps;
+  PlotRunOptions run;  // without a scene: curves of the lists
 };
 
 const std::map<std::string, BarrierAbscissa> kAbscissas = {{"d", BarrierAbscissa::gap},
@@ -82,7 +87,25 @@ void check_values(const BarrierCurves& curves) {
   }
 }
 
+int plot_contacts(const PlotBarrierOptions& options) {
+  check_figure_output(options.output);
+  FigureOutputOptions output = options.output;
+  Session session = open_session(options.run.scene, options.common, options.run.from, output.inputs);
+  check_figure_output(output);
+  session.report_contacts(true);
+  const int code = make_steps(session, plot_steps(options.run, session, "--at-step"), options.common.quiet,
+                              [](const StepReport&) {});
+  check_end(session, options.run.scene);
+  const StepReport& report = session.report();
+  Figure figure = contact_barrier_figure(session.params().contact, session.kappa(), report.step,
+                                         report.contact_reports, contact_ink);
+  figure.caption = run_caption(session.scene().name, report.step, session.params(), session.kappa(), true);
+  write_drawing(drawing_of(figure), output);
+  return code;
+}
+
 int plot_barrier(const PlotBarrierOptions& options) {
+  if (!options.run.scene.empty()) return plot_contacts(options);
   BarrierCurves curves;
   curves.kinds.clear();
   for (const std::string& kind : options.kinds) curves.kinds.push_back(kinds_by_word().at(kind));
@@ -103,32 +126,55 @@ int plot_barrier(const PlotBarrierOptions& options) {
 void add_plot_barrier_command(CLI::App& plot, Action& action) {
   auto options = std::make_shared<PlotBarrierOptions>();
   const Command command(
-      plot, "barrier", "barrier curves B_N and B_N' against d, or against d̂, N or κ",
+      plot, "barrier", "barrier curves against d, d̂, N or κ; of a scene, its law with the contacts of a step",
       {"pabd plot barrier -o barrier.png --N 1,2,3,8 --d-hat 0.01,0.02",
-       "pabd plot barrier -o barrier.svg --kind polynomial,log,even --kappa 50 --onset 0.2",
+       "pabd plot barrier -o barrier.svg --kind polynomial,log,even --kappa 50 --onset 0",
        "pabd plot barrier -o thickness.pdf --against d-hat --N 3 --d-hat 0.01 --gap 0.005,0,-0.002",
-       "pabd plot barrier -o - --N 3 > barrier.csv"},
+       "pabd plot barrier -o - --N 3 > barrier.csv", "pabd plot barrier pyramid -o contacts.png --time 2"},
       options->common);
   using group::kOwn;
+  using group::kSimulation;
   std::vector<std::string> words;
   for (const BarrierKind kind : kBarrierKinds) words.emplace_back(to_string(kind));
-  command.list(kOwn, "--N", options->N, "highest orders (default 1,2,3,8)");
-  command.list(kOwn, "--d-hat", options->d_hat, "contact thicknesses in m (default 0.01)");
-  command.list(kOwn, "--kappa", options->kappa, "stiffnesses in J (default: plain B_N)");
+  auto* scene = command.argument(
+      "SCENE", options->run.scene,
+      "scene file, or the name of a shipped scene, for its own law; without it the lists below are drawn");
+  command.list(kOwn, "--N", options->N, "highest orders (default 1,2,3,8)")->excludes(scene);
+  command.list(kOwn, "--d-hat", options->d_hat, "contact thicknesses in m (default 0.01)")->excludes(scene);
+  command.list(kOwn, "--kappa", options->kappa, "stiffnesses in J (default: plain B_N)")->excludes(scene);
   command
       .list(kOwn, "--kind", options->kinds, fmt::format("{} (default polynomial)", fmt::join(words, ", ")))
-      ->check(CLI::IsMember(kinds_by_word()));
-  command.option(kOwn, "--onset", options->onset, "onset width, 0 … 1 (default 0: the printed formula)", "E");
+      ->check(CLI::IsMember(kinds_by_word()))
+      ->excludes(scene);
+  command
+      .option(kOwn, "--onset", options->onset,
+              fmt::format("onset width, 0 … 1 (default {}, that of runs); 0: the printed formula",
+                          options->onset),
+              "E")
+      ->excludes(scene);
   command
       .option(kOwn, "--against", options->against,
               "what stands on the horizontal axis: d, d-hat, N or kappa; the values given for it are "
               "marked there (default d)",
               "WORD")
-      ->check(CLI::IsMember(kAbscissas));
-  command.list(kOwn, "--gap", options->gaps,
-               "with --against d-hat, N or kappa: distances d in m that curves are for (default: half of the "
-               "first d̂, 0, and an overlap of a quarter of it)");
+      ->check(CLI::IsMember(kAbscissas))
+      ->excludes(scene);
+  command
+      .list(kOwn, "--gap", options->gaps,
+            "with --against d-hat, N or kappa: distances d in m that curves are for (default: half of the "
+            "first d̂, 0, and an overlap of a quarter of it)")
+      ->excludes(scene);
   add_figure_output_options(command, options->output);
+  auto* time =
+      command.option(kSimulation, "--time", options->run.time,
+                     "time whose contacts are drawn (default: the duration of the scene, or 5 s)", "S");
+  time->needs(scene);
+  command.option(kSimulation, "--at-step", options->run.steps, "the same as the number of a step", "K")
+      ->excludes(time)
+      ->needs(scene);
+  command.from(options->run.from)->needs(scene);
+  command.simulation(options->common);
+  for (const char* name : {"--set", "--threads"}) command.app().get_option(name)->needs(scene);
   command.carry_out(action, options, plot_barrier);
 }
 

@@ -11,7 +11,7 @@ namespace pabd::test_cli_plot {
 using namespace test;
 
 TEST_CASE("the barrier CSV holds B_N of the closed form") {
-  const Outcome csv = run_pabd({"plot", "barrier", "-o", "-", "--N", "3", "--d-hat", "0.02"});
+  const Outcome csv = run_pabd({"plot", "barrier", "-o", "-", "--N", "3", "--d-hat", "0.02", "--onset", "0"});
   REQUIRE(csv.exit_code == 0);
   const auto rows = lines_of(csv.out);
   CHECK(rows.at(0) == "plot,series,x,y");
@@ -30,6 +30,17 @@ TEST_CASE("the barrier CSV holds B_N of the closed form") {
     ++checked;
   }
   CHECK(checked > 100);
+}
+
+TEST_CASE("without --onset the barrier that runs use is drawn") {
+  const auto drawn = [](const std::vector<std::string>& onset) {
+    std::vector<std::string> all{"plot", "barrier", "-o", "-", "--N", "3"};
+    all.insert(all.end(), onset.begin(), onset.end());
+    return run_pabd(all).out;
+  };
+  CHECK(drawn({}) == drawn({"--onset", "0.2"}));
+  CHECK(drawn({}) != drawn({"--onset", "0"}));
+  CHECK(run_pabd({"plot", "barrier", "-o", "-", "--format", "svg"}).out.find("ε = 0.2") != std::string::npos);
 }
 
 TEST_CASE("a barrier plot is written as PNG, SVG and CSV") {
@@ -76,8 +87,8 @@ TEST_CASE("a plot is a PDF too, and light on dark") {
 }
 
 TEST_CASE("a barrier against its thickness") {
-  const Outcome csv = run_pabd(
-      {"plot", "barrier", "-o", "-", "--against", "d-hat", "--N", "3", "--d-hat", "0.01", "--gap", "0.004"});
+  const Outcome csv = run_pabd({"plot", "barrier", "-o", "-", "--against", "d-hat", "--N", "3", "--onset",
+                                "0", "--d-hat", "0.01", "--gap", "0.004"});
   REQUIRE(csv.exit_code == 0);
   int marked = 0;
   for (const std::string& row : lines_of(csv.out)) {

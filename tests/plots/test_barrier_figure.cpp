@@ -183,4 +183,14 @@ TEST_CASE("against N and against κ") {
   CHECK(by_kappa.y.back() == Approx(200 * printed_slope(3, 0, 0.01)));
 }
 
+TEST_CASE("the title says which onset is drawn") {
+  BarrierCurves curves;
+  curves.onset = 0.2;
+  CHECK(barrier_figure(curves).title.ends_with(", ε = 0.2"));
+  curves.onset = 0;
+  CHECK(barrier_figure(curves).title.ends_with(", printed formula (ε = 0)"));
+  curves.kinds = {BarrierKind::log};
+  CHECK(barrier_figure(curves).title == "Contact barrier and its derivative");
+}
+
 }  // namespace pabd::test_barrier_figure

@@ -106,6 +106,29 @@ TEST_CASE("live barrier plot marks every active contact on both curves") {
   CHECK(wide.series[0].x.back() == Approx(0.02));
 }
 
+TEST_CASE("the law of a scene with its contacts: potential in J, force in N, named in the CSV") {
+  ContactParams contact;
+  contact.N = 3;
+  contact.d_hat = 0.01;
+  contact.onset = 0;
+  std::vector<ContactReport> reports(1);
+  reports[0].d = 0.005;
+  const auto grey = [](double) { return Color{}; };
+  const Figure figure = contact_barrier_figure(contact, 50, 60, reports, grey);
+  CHECK(figure.title == "Contact potential and force law at step 60, printed formula (ε = 0)");
+  const Plot& plot = figure.plots.at(0);
+  CHECK(plot.y.label == "Ψ [J]");
+  CHECK(plot.y_right.label == "Ψ′ [N]");
+  CHECK(plot.series[3].y[0] == Approx(50 * (0.5 + 0.125 + 0.125 / 3)));
+  CHECK(plot.series[4].y[0] == Approx(50 * -175.0));
+  CHECK(figure_to_csv(figure).find("\"Ψ [J], contacts\",0.005,") != std::string::npos);
+  // κ of the log barrier is in J/m²: Ψ = −κ (d − d̂)² ln(d/d̂).
+  contact.barrier = BarrierKind::log;
+  const Figure log = contact_barrier_figure(contact, 1e6, 60, reports, grey);
+  CHECK(log.title == "Contact potential and force law at step 60");
+  CHECK(log.plots[0].series[3].y[0] == Approx(1e6 * 2.5e-5 * std::log(2.0)));
+}
+
 TEST_CASE("convergence figure: gaps above the minimum, penetration with its sign") {
   const std::vector<MethodRun> runs{{"sissm", {record(3, 1, 0.2, 0.1), record(2, 0.5, 0.3, 0.15)}},
                                     {"descent", {record(2, 1, 0.1, 0.1), record(1, 0.1, 0.2, 0.2)}}};

@@ -28,8 +28,9 @@ constexpr double kRight = 1.25;
 Series barrier_curve(std::string name, int color, const Barrier& barrier, double BarrierValue::*what,
                      const PlotRange& x, int samples, double scale = 1) {
   return curve(std::move(name), color,
-               barrier_samples(BarrierAbscissa::gap, x, samples, std::array{barrier.d_hat}), std::identity(),
-               [&](double d) { return scale * (evaluate(barrier, d).*what); });
+               barrier_samples(BarrierAbscissa::gap, x, samples,
+                               std::array{barrier.d_hat, barrier.d_hat * (1 - barrier.onset)}),
+               std::identity(), [&](double d) { return scale * (evaluate(barrier, d).*what); });
 }
 
 // Range that shows what is finite from `lo` on.
@@ -117,13 +118,14 @@ Series contact_strip_series(double lo, double d_hat, const std::vector<ContactRe
 }
 
 Plot contact_barrier_plot(const ContactParams& contact, const std::vector<ContactReport>& contacts,
-                          const std::function<Color(double)>& color, const std::optional<PlotRange>& x) {
+                          const std::function<Color(double)>& color, const std::optional<PlotRange>& x,
+                          const std::optional<double>& kappa) {
   Plot plot;
   plot.title = "Contact barrier";
   const BarrierTraits& traits = traits_of(contact.barrier);
   const double d_hat = contact.d_hat;
-  const Barrier barrier{contact.barrier, contact.N, d_hat, 1, contact.onset};
-  const double scale = one_joule(contact.barrier, d_hat);
+  const Barrier barrier{contact.barrier, contact.N, d_hat, kappa.value_or(1), contact.onset};
+  const double scale = kappa ? 1 : one_joule(contact.barrier, d_hat);
   // The range holds the deepest contact, or the usual part of the curve.
   double lo = traits.feasible_only ? 0.01 * d_hat : kLeft * d_hat;
   for (const ContactReport& report : contacts) {
@@ -133,12 +135,14 @@ Plot contact_barrier_plot(const ContactParams& contact, const std::vector<Contac
   if (x) lo = x->lo;
   plot.x.lo = lo;
   plot.x.hi = x ? x->hi : 1.15 * d_hat;
-  const auto label = [&](const Quantity& of_order, const Quantity& per_area) -> std::string {
+  const auto label = [&](const Quantity& with_kappa, const Quantity& of_order,
+                         const Quantity& per_area) -> std::string {
+    if (kappa) return with_kappa.axis;
     if (traits.per_area) return per_area.axis;
     return traits.least_N > 0 ? axis_of_order(of_order, contact.N) : axis_without_order(of_order);
   };
-  plot.y.label = label(quantities::barrier, quantities::log_barrier);
-  plot.y_right.label = label(quantities::barrier_slope, quantities::log_barrier_slope);
+  plot.y.label = label(quantities::potential, quantities::barrier, quantities::log_barrier);
+  plot.y_right.label = label(quantities::force, quantities::barrier_slope, quantities::log_barrier_slope);
   limit_range(plot.y, barrier, &BarrierValue::value, lo, scale);
   limit_range(plot.y_right, barrier, &BarrierValue::first, lo, scale);
   std::vector<double> active;
@@ -160,6 +164,23 @@ Plot contact_barrier_plot(const ContactParams& contact, const std::vector<Contac
                  vertical_line(d_hat),   std::move(value_marks),
                  std::move(slope_marks), contact_strip_series(lo, d_hat, contacts, color)};
   return plot;
+}
+
+Figure contact_barrier_figure(const ContactParams& contact, double kappa, std::int64_t step,
+                              const std::vector<ContactReport>& contacts,
+                              const std::function<Color(double)>& color) {
+  Figure figure;
+  Plot plot = contact_barrier_plot(contact, contacts, color, std::nullopt, kappa);
+  figure.title = fmt::format("Contact potential and force law at step {}{}", step,
+                             onset_words({contact.barrier}, contact.onset));
+  plot.title.clear();
+  for (Series& series : plot.series) {
+    if (series.style == SeriesStyle::level_x) series.tag = "d̂", series.quantity = "d = d̂";
+    if (series.style == SeriesStyle::markers)
+      series.quantity = (series.right_axis ? plot.y_right : plot.y).label + ", contacts";
+  }
+  figure.plots = {std::move(plot)};
+  return figure;
 }
 
 }  // namespace pabd

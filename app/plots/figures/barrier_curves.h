@@ -30,9 +30,16 @@ Series contact_strip_series(double lo, double d_hat, const std::vector<ContactRe
                             const std::function<Color(double)>& color);
 
 // B_N left axis, B_N' right axis, a marker on each curve for every contact, coloured by `color`(d/d̂), and how
-// they are spread. `x`: a range to show instead of that of the contacts, m.
+// they are spread. `x`: a range to show instead of that of the contacts, m. `kappa`: the resolved one, for Ψ and Ψ'.
 Plot contact_barrier_plot(const ContactParams& contact, const std::vector<ContactReport>& contacts,
                           const std::function<Color(double)>& color,
-                          const std::optional<PlotRange>& x = std::nullopt);
+                          const std::optional<PlotRange>& x = std::nullopt,
+                          const std::optional<double>& kappa = std::nullopt);
+
+// The same as a figure, Ψ and Ψ' of the contacts of a step at their d: that of the law, without damping and without the
+// limit for bodies that come apart from deep overlap. The caption is left to the caller.
+Figure contact_barrier_figure(const ContactParams& contact, double kappa, std::int64_t step,
+                              const std::vector<ContactReport>& contacts,
+                              const std::function<Color(double)>& color);
 
 }  // namespace pabd

@@ -46,11 +46,12 @@ BarrierValue evaluate_at(const Family& f, const Index5& at, double x) {
   return {scale * b.value, scale * b.first, scale * b.second};
 }
 
-// At d = d̂ the printed derivative jumps.
+// At d = d̂ the printed derivative jumps, at d = d̂ (1 − ε) it has a corner.
 std::vector<double> samples_of(const Family& f, const Index5& at, const PlotRange& x) {
   std::vector<double> jumps;
-  if (f.in.abscissa == BarrierAbscissa::gap) jumps = {f.in.d_hat[at[thickness]]};
-  if (f.in.abscissa == BarrierAbscissa::d_hat) jumps = {f.in.gaps[at[gaps]]};
+  const double ramped = 1 - f.in.onset, d_hat = f.in.d_hat[at[thickness]], d = f.in.gaps[at[gaps]];
+  if (f.in.abscissa == BarrierAbscissa::gap) jumps = {d_hat, d_hat * ramped};
+  if (f.in.abscissa == BarrierAbscissa::d_hat) jumps = {d, d / ramped};
   return barrier_samples(f.in.abscissa, x, f.in.samples, jumps);
 }
 
@@ -210,7 +211,7 @@ Figure barrier_figure(const BarrierCurves& curves) {
   figure.columns = 2;
   figure.title =
       std::string(f.energy ? "Contact potential and force law" : "Contact barrier and its derivative") +
-      words.against;
+      words.against + onset_words(curves.kinds, curves.onset);
   figure.caption = caption_of(f);
   const PlotRange x = x_range(f);
   Axis value_axis, slope_axis;

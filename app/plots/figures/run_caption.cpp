@@ -4,6 +4,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <vector>
 
 #include "app/plots/axis_ticks.h"
@@ -26,6 +27,12 @@ std::string run_caption(const std::string& scene, std::int64_t step, const Param
   parts.push_back("κ = " + format_value(kappa) + " " + kappa_unit(contact.barrier));
   if (d_hat && traits.has_onset) parts.push_back("ε = " + format_value(contact.onset));
   return fmt::format("{}", fmt::join(parts, ", "));
+}
+
+std::string onset_words(const std::vector<BarrierKind>& kinds, double onset) {
+  if (std::none_of(kinds.begin(), kinds.end(), [](BarrierKind kind) { return traits_of(kind).has_onset; }))
+    return "";
+  return onset > 0 ? ", ε = " + format_value(onset) : ", printed formula (ε = 0)";
 }
 
 std::string parameter_text(const ParameterMember& member, double value) {

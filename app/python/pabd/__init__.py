@@ -215,10 +215,10 @@ class SceneBuilder:
         return parse(self._document, name=self.name, folder=self.folder, set=self._params, threads=threads)
 
 
-def plot_barrier(N=(1, 2, 3, 8), d_hat=(0.01,), kappa=(), barrier=("polynomial",), onset=0.0):
+def plot_barrier(N=(1, 2, 3, 8), d_hat=(0.01,), kappa=(), barrier=("polynomial",), onset=0.2):
     """Barrier curves B_N and their derivatives against the distance, as 'pabd plot barrier' draws them: a Figure.
 
-    N, d_hat (m), kappa (J; empty: B_N itself), barrier (words of contact.barrier): lists; onset: 0 … 1.
+    N, d_hat (m), kappa (J; empty: B_N itself), barrier (words of contact.barrier): lists; onset: 0 … 1, 0 the printed formula.
     """
     return _pabd.plot_barrier(list(N), list(d_hat), list(kappa), list(barrier), onset)
 

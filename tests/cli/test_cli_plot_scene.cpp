@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: MIT
+// pabd plot barrier of a scene.
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "render/output/png.h"
+#include "tests/cli/program.h"
+
+namespace pabd::test_cli_plot_scene {
+
+using namespace test;
+
+namespace {
+
+// The x and y of the rows that have `words`.
+std::vector<std::pair<double, double>> points_of(const std::string& csv, const std::string& words) {
+  std::vector<std::pair<double, double>> out;
+  for (const std::string& row : lines_of(csv)) {
+    if (row.find(words) == row.npos) continue;
+    const auto y_at = row.rfind(','), x_at = row.rfind(',', y_at - 1);
+    out.emplace_back(std::stod(row.substr(x_at + 1)), std::stod(row.substr(y_at + 1)));
+  }
+  return out;
+}
+
+void refused(std::vector<std::string> command, const std::vector<std::string>& words) {
+  command.insert(command.begin(), "plot");
+  command.insert(command.end(), {"-o", "-"});
+  const Outcome outcome = run_pabd(command);
+  CAPTURE(command, outcome.err);
+  CHECK(outcome.exit_code == 2);
+  CHECK(is_error_line(outcome.err, words));
+}
+
+}  // namespace
+
+TEST_CASE("the law of a scene: every contact of the step stands on the curve of its parameters") {
+  const std::vector<std::string> law{"--set", "contact.N=2",    "--set", "contact.kappa=500",
+                                     "--set", "contact.onset=0"};
+  const CommandFolder folder;
+  std::vector<std::string> run{"run",     "two_boxes", "--steps",           "45",
+                               "--quiet", "--trace",   folder / "steps.csv"};
+  run.insert(run.end(), law.begin(), law.end());
+  REQUIRE(run_pabd(run).exit_code == 0);
+  const std::string trace = read_text(folder / "steps.csv");
+  std::vector<std::string> plot{"plot", "barrier", "two_boxes", "-o", "-", "--at-step", "45"};
+  plot.insert(plot.end(), law.begin(), law.end());
+  const Outcome outcome = run_pabd(plot);
+  CAPTURE(outcome.err);
+  REQUIRE(outcome.exit_code == 0);
+  const auto energies = points_of(outcome.out, "\"Ψ [J], contacts\""),
+             forces = points_of(outcome.out, "\"Ψ′ [N], contacts\"");
+  REQUIRE(energies.size() == column_of(trace, "contacts").back());
+  REQUIRE(forces.size() == energies.size());
+  REQUIRE(energies.size() > 3);
+  double most = 0, least = 1;
+  for (std::size_t k = 0; k < energies.size(); ++k) {
+    const double u = 1 - energies[k].first / 0.05;
+    CHECK(energies[k].second == Approx(500 * (u + u * u / 2)).epsilon(1e-12));
+    CHECK(forces[k].second == Approx(-500 * (1 + u) / 0.05).epsilon(1e-12));
+    most = std::max(most, -forces[k].second);
+    least = std::min(least, energies[k].first);
+  }
+  CHECK(most == Approx(column_of(trace, "max_normal_force").back()).epsilon(1e-9));
+  CHECK(least == Approx(column_of(trace, "min_gap").back()).epsilon(1e-12));
+}
+
+TEST_CASE("the law of a scene says its parameters, κ as it came out") {
+  const CommandFolder folder;
+  for (const char* name : {"a.png", "a.svg"})
+    CHECK(
+        run_pabd({"plot", "barrier", "two_boxes", "-o", folder / name, "--time", "0.5", "--size", "800x500"})
+            .exit_code == 0);
+  CHECK(pabd::read_png(folder / "a.png").height == 500);
+  const std::string svg = read_text(folder / "a.svg");
+  for (const char* words : {"step 30", "N = 3", "κ = ", "ε = 0.2", "Ψ [J]"}) {
+    CAPTURE(words);
+    CHECK(svg.find(words) != std::string::npos);
+  }
+  refused({"barrier", "two_boxes", "--N", "3"}, {"--N", "SCENE"});
+  refused({"barrier", "two_boxes", "--onset", "0"}, {"--onset", "SCENE"});
+  refused({"barrier", "--time", "1"}, {"--time", "SCENE"});
+  refused({"barrier", "--set", "contact.N=2"}, {"--set", "SCENE"});
+  refused({"barrier", "two_boxes", "--at-step", "0"}, {"--at-step 0"});
+}
+
+}  // namespace pabd::test_cli_plot_scene
