@@ -173,6 +173,7 @@ PABD_COMMANDS(PABD_DECLARE)
 // Commands below others.
 void add_plot_barrier_command(CLI::App& plot, Action& action);
 void add_plot_convergence_command(CLI::App& plot, Action& action);
+void add_plot_reactions_command(CLI::App& plot, Action& action);
 void add_plot_series_command(CLI::App& plot, Action& action);
 void add_sweep_collect_command(CLI::App& sweep, Action& action);
 

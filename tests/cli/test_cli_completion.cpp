@@ -110,6 +110,7 @@ TEST_CASE("bash offers every command, and every option that the help of a comman
                                              {"sweep", "collect"},
                                              {"plot", "barrier"},
                                              {"plot", "convergence"},
+                                             {"plot", "reactions"},
                                              {"plot", "series"}}) {
     std::string words = "pabd ";
     for (const std::string& word : command) words += word + " ";

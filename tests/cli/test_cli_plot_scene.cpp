@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// pabd plot barrier of a scene.
+// pabd plot barrier and reactions of a scene.
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
@@ -21,6 +21,12 @@ std::vector<std::pair<double, double>> points_of(const std::string& csv, const s
     const auto y_at = row.rfind(','), x_at = row.rfind(',', y_at - 1);
     out.emplace_back(std::stod(row.substr(x_at + 1)), std::stod(row.substr(y_at + 1)));
   }
+  return out;
+}
+
+std::vector<double> heights_of(const std::string& csv, const std::string& words) {
+  std::vector<double> out;
+  for (const auto& [x, y] : points_of(csv, words)) out.push_back(y);
   return out;
 }
 
@@ -83,6 +89,51 @@ TEST_CASE("the law of a scene says its parameters, κ as it came out") {
   refused({"barrier", "--time", "1"}, {"--time", "SCENE"});
   refused({"barrier", "--set", "contact.N=2"}, {"--set", "SCENE"});
   refused({"barrier", "two_boxes", "--at-step", "0"}, {"--at-step 0"});
+}
+
+TEST_CASE("reactions are those of --joints, the strongest joints first") {
+  const CommandFolder folder;
+  REQUIRE(run_pabd({"run", "four_bar", "--steps", "20", "--quiet", "--joints", folder / "joints.csv"})
+              .exit_code == 0);
+  const std::string rows = read_text(folder / "joints.csv");
+  const auto joint = column_of(rows, "joint"), x = column_of(rows, "force_x"), y = column_of(rows, "force_y"),
+             z = column_of(rows, "force_z"), error = column_of(rows, "error");
+  std::vector<std::vector<double>> force(6), opened(6);
+  for (std::size_t k = 0; k < joint.size(); ++k) {
+    force.at(static_cast<std::size_t>(joint[k]))
+        .push_back(std::sqrt(x[k] * x[k] + y[k] * y[k] + z[k] * z[k]));
+    opened.at(static_cast<std::size_t>(joint[k])).push_back(error[k]);
+  }
+  const Outcome all = run_pabd({"plot", "reactions", "four_bar", "-o", "-", "--steps", "20"});
+  CAPTURE(all.err);
+  REQUIRE(all.exit_code == 0);
+  const auto close = [](const std::vector<double>& a, const std::vector<double>& b) {
+    REQUIRE(a.size() == b.size());
+    for (std::size_t k = 0; k < a.size(); ++k) CHECK(a[k] == Approx(b[k]).epsilon(1e-14));
+  };
+  close(heights_of(all.out, "joint,drive,"), force[0]);
+  close(heights_of(all.out, "joint,joint 3,"), force[3]);
+  close(heights_of(all.out, "together,drive,"), opened[0]);
+  // The first row is of the largest force of all.
+  double most = 0;
+  for (const auto& of : force) most = std::max(most, *std::max_element(of.begin(), of.end()));
+  const std::string first = lines_of(all.out).at(1);
+  const std::string words = first.substr(0, first.find(',', first.find(',') + 1) + 1);
+  const auto strongest = heights_of(all.out, words);
+  CHECK(*std::max_element(strongest.begin(), strongest.end()) == Approx(most));
+
+  const Outcome two = run_pabd({"plot", "reactions", "four_bar", "-o", "-", "--steps", "20", "--joint",
+                                "joint 3", "--joint", "drive"});
+  REQUIRE(two.exit_code == 0);
+  CHECK(two.out.find(",joint 3,") < two.out.find(",drive,"));
+  CHECK(two.out.find("joint 1") == std::string::npos);
+}
+
+TEST_CASE("joints that there are not are refused in one line, with those that there are") {
+  refused({"reactions", "four_bar", "--joint", "knee"}, {"--joint knee", "drive", "joint 1"});
+  refused({"reactions", "two_boxes"}, {"two_boxes", "no joints"});
+  refused({"reactions", "four_bar", "--steps", "0"}, {"--steps 0"});
+  refused({"reactions", "four_bar", "--time", "-1"}, {"--time -1"});
 }
 
 }  // namespace pabd::test_cli_plot_scene

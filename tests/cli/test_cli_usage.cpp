@@ -211,7 +211,8 @@ TEST_CASE("a name that is nearly right gets a suggestion, a missing command the 
   const Outcome strange = run_pabd({"dance"});
   CHECK(is_error_line(strange.err, {"dance: no such command; 'pabd --help'"}));
   CHECK(is_error_line(run_pabd({}).err, {"render, export, run, plot,", " or serve", "pabd --help"}));
-  CHECK(is_error_line(run_pabd({"plot"}).err, {"barrier, convergence or series", "pabd plot --help"}));
+  CHECK(is_error_line(run_pabd({"plot"}).err,
+                      {"barrier, convergence, reactions or series", "pabd plot --help"}));
 }
 
 TEST_CASE("the doctor reports, whatever is missing") {

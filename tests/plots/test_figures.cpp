@@ -5,11 +5,13 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <set>
 
 #include "app/plots/figure.h"
 #include "app/plots/figures/barrier_curves.h"
 #include "app/plots/figures/contact_pair.h"
 #include "app/plots/figures/convergence.h"
+#include "app/plots/figures/reactions.h"
 #include "app/plots/figures/slider_joint.h"
 #include "app/plots/figures/spherical_joint.h"
 #include "app/plots/figures/time_panel.h"
@@ -127,6 +129,26 @@ TEST_CASE("the law of a scene with its contacts: potential in J, force in N, nam
   const Figure log = contact_barrier_figure(contact, 1e6, 60, reports, grey);
   CHECK(log.title == "Contact potential and force law at step 60");
   CHECK(log.plots[0].series[3].y[0] == Approx(1e6 * 2.5e-5 * std::log(2.0)));
+}
+
+TEST_CASE("reactions: the strongest joints first, each with a look of its own") {
+  std::vector<JointSeries> joints;
+  for (int k = 0; k < 10; ++k)
+    joints.push_back({"joint " + std::to_string(k), {1.0 * (k * 7 % 10), 0.5}, {1e-9, 2e-9}});
+  keep_strongest(joints, 8);
+  const Figure figure = reactions_figure({0.1, 0.2}, joints);
+  REQUIRE(figure.plots.size() == 2);
+  CHECK(figure.plots[0].y.label == "force [N]");
+  CHECK(figure.plots[1].y.label == "error [m]");
+  CHECK(figure.plots[1].y.log);
+  REQUIRE(figure.plots[0].series.size() == 8);
+  std::set<std::pair<int, int>> looks;
+  for (std::size_t k = 0; k < 8; ++k) {
+    CHECK(figure.plots[0].series[k].y[0] == 9.0 - static_cast<double>(k));
+    CHECK(figure.plots[1].series[k].name == figure.plots[0].series[k].name);
+    CHECK(looks.insert({figure.plots[0].series[k].color, figure.plots[0].series[k].dash}).second);
+  }
+  CHECK(figure.plots[1].series[0].y == std::vector<double>{1e-9, 2e-9});
 }
 
 TEST_CASE("convergence figure: gaps above the minimum, penetration with its sign") {
