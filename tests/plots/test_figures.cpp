@@ -169,8 +169,16 @@ TEST_CASE("convergence figure: gaps above the minimum, penetration with its sign
   two[0].records.push_back(record(0.25, 0.1, 0.1, 0.1));
   two[0].softened = 71;
   const Figure apart = convergence_figure(two, Minimiser{0.5, 0.25});
-  CHECK(apart.plots[0].series[0].y[1] == 1.75);
-  CHECK(apart.plots[0].series[1].y == std::vector<double>{1.5, 0.5});
+  REQUIRE(apart.plots.size() == 4);
+  REQUIRE(apart.plots[0].series.size() == 1);
+  CHECK(apart.plots[0].series[0].name == "descent");
+  CHECK(apart.plots[0].series[0].y == std::vector<double>{1.5, 0.5});
+  CHECK(apart.plots[1].title == "Energy gap with 71 bonds softened");
+  CHECK(apart.plots[1].y.label == "E − E_{end} [J]");
+  REQUIRE(apart.plots[1].series.size() == 1);
+  CHECK(apart.plots[1].series[0].name == "sissm");
+  CHECK(apart.plots[1].series[0].y[1] == 1.75);
+  CHECK(apart.plots[2].series.size() == 2);
   CHECK(apart.caption.find("E_{min} = 0.5 J") != std::string::npos);
   CHECK(apart.caption.find("sissm softened 71 bonds: its E is another function") != std::string::npos);
   // Without a reference the least value is the minimum and leaves the log axis.

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "app/plots/axis_ticks.h"
 #include "app/plots/figures/run_caption.h"
@@ -205,6 +206,8 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   std::vector<Shown> shown{Shown::energy_gap, Shown::residual};
   if (contacts || !joints) shown.push_back(Shown::penetration);
   if (joints) shown.push_back(Shown::joint_error);
+  // Energies of different functions have no axis in common.
+  std::vector<Plot> softened;
   for (const Shown quantity : shown) {
     Plot plot = quantity_plot_of(quantity);
     if (quantity == Shown::energy_gap) {
@@ -213,6 +216,12 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
     }
     for (std::size_t i = 0; i < runs.size(); ++i) {
       const MethodRun& run = runs[i];
+      if (quantity == Shown::energy_gap && run.softened > 0) {
+        softened.push_back(quantity_plot_of(quantity));
+        softened.back().title = fmt::format("Energy gap with {} softened", counted(run.softened, "bond"));
+        softened.back().series = {quantity_curve(run, quantity, least, static_cast<int>(i))};
+        continue;
+      }
       const int color = static_cast<int>(i);
       plot.series.push_back(quantity_curve(run, quantity, least, color));
       if (quantity != Shown::penetration || !projection_shows(run)) continue;
@@ -221,7 +230,9 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
                                             color, SeriesStyle::dashed));
     }
     if (quantity == Shown::penetration && minimiser) add_minimiser(*minimiser, plot);
-    figure.plots.push_back(std::move(plot));
+    if (softened.empty() || !plot.series.empty()) figure.plots.push_back(std::move(plot));
+    std::move(softened.begin(), softened.end(), std::back_inserter(figure.plots));
+    softened.clear();
   }
   figure.columns = figure.plots.size() == 4 ? 2 : 3;
 
@@ -232,7 +243,7 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   if (!std::isfinite(least)) figure.caption.clear();
   for (const MethodRun& run : runs) {
     if (run.softened == 0) continue;
-    figure.caption += fmt::format("{}{} softened {}: its E is another function, shown above its own end.",
+    figure.caption += fmt::format("{}{} softened {}: its E is another function, in a plot of its own.",
                                   figure.caption.empty() ? "" : " ", run.name, counted(run.softened, "bond"));
   }
   if (!about.empty()) figure.caption = figure.caption.empty() ? about : about + ". " + figure.caption;

@@ -56,9 +56,10 @@ inline constexpr int kConvergenceQuantities = 6;
 Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity quantity,
                        const std::optional<Minimiser>& minimiser = std::nullopt);
 
-// Three plots: energy gap (log), residual (log), penetration before (dashed) and after the projection. With
-// joints, which show in the records by an error above zero, one more: the joint error (log); the penetration
-// goes when there are no contacts. `about`: what the caption begins with, run_caption.
+// Three plots: energy gap (log), residual (log), penetration before (dashed) and after the projection. A run whose E is
+// another function has an energy gap of its own. With joints, which show in the records by an error above zero, one
+// more: the joint error (log); the penetration goes when there are no contacts. `about`: what the caption begins
+// with, run_caption.
 Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser,
                           const std::string& about = "");
 
