@@ -62,7 +62,7 @@ std::vector<LegendEntry> entries_of(const Plot& plot, const std::vector<Color>& 
                                     const PlotStyle& style) {
   std::vector<LegendEntry> entries;
   for (const PlotKey& key : plot.keys) {
-    entries.push_back({key.name, SeriesStyle::line, key.dash, style.theme.color(key.color), 1, {}});
+    entries.push_back({key.name, SeriesStyle::line, key.dash, style.theme.color(key.color, key.ramp), 1, {}});
   }
   if (!entries.empty()) return entries;
   for (std::size_t i = 0; i < plot.series.size(); ++i) {

@@ -42,7 +42,8 @@ struct Series {
   std::vector<double> y;  // non-finite values break the line
   SeriesStyle style = SeriesStyle::line;
   int color = -1;  // index into the palette; -1: next
-  int dash = 0;    // of a line: which pattern, 0 … kDashes − 1; `dashed` is pattern 1
+  int ramp = 0;  // of a list in order: how many values it has, and `color` is the place of this one; 0: none
+  int dash = 0;  // of a line: which pattern, 0 … kDashes − 1; `dashed` is pattern 1
   bool right_axis = false;
   std::vector<Color> marker_colors;  // one a point or bar; empty: the colour of the series
   double weight = 1;                 // multiplies the width of the line, the size of the markers
@@ -99,6 +100,7 @@ struct PlotKey {
   std::string name;
   int color;
   int dash = 0;
+  int ramp = 0;
 };
 
 struct Plot {

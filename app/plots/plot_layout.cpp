@@ -27,7 +27,7 @@ void add_colors(const Plot& plot, const PlotTheme& theme, PlotLayout& layout) {
     const bool reference = series.style == SeriesStyle::level || series.style == SeriesStyle::level_x;
     Color color = theme.reference;
     if (series.color >= 0) {
-      color = theme.color(series.color);
+      color = theme.color(series.color, series.ramp);
     } else if (!reference) {
       color = theme.color(next++);
     }

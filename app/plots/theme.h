@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 // The colours of plots and diagrams: light ones for paper and for panels over a picture, dark ones for dark
 // windows. Both have the same hues in the same order, so that a curve keeps its colour name. People with any of the
-// common colour vision deficiencies can tell the curves apart (after the Okabe–Ito set, muted).
+// common colour vision deficiencies can tell the curves apart (after the Okabe–Ito set, muted). Values in order, such as
+// N = 1, 2, 3, 8, have colours in order: from ochre through red to violet, away from the paper.
 //
 // Measured by tests/plots/test_theme.cpp: in the dark theme every text has a contrast of at least 4.5:1
 // against the paper, every curve 3:1 (WCAG 2.1).
@@ -23,8 +24,11 @@ struct PlotTheme {
   Color rim;        // of markers
   Color legend;     // behind a legend over the curves
   std::array<Color, kPaletteSize> palette;
+  std::array<Color, 5> ramp;  // stands out the more, the farther it is
 
   Color color(int index) const;  // of a series; any index, wraps around
+  // Of value number `index` of `count` in order; `count` ≤ 0: as above.
+  Color color(int index, int count) const;
 };
 
 const PlotTheme& light_theme();

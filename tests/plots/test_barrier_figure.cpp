@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 // Families of barrier curves against closed forms, and how they are told apart.
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <set>
 
 #include "app/plots/figure.h"
 #include "app/plots/figures/barrier_figure.h"
+#include "app/plots/theme.h"
 #include "tests/plots/printed_barrier.h"
 
 namespace pabd::test_barrier_figure {
@@ -83,13 +85,13 @@ TEST_CASE("no more curves in a plot than can be told apart, none lost, the same 
           ++drawn;
           names.insert(s.name);
           CHECK(looks.insert({s.color, s.dash}).second);
-          CHECK(s.color < 6);
+          CHECK(s.color < std::max(s.ramp, 1));
           CHECK(s.dash < kDashes);
         }
         CHECK(plot.y.lo == figure.plots[0].y.lo);
         CHECK(plot.y.hi == figure.plots[0].y.hi);
         CHECK(plot.x.lo == figure.plots[0].x.lo);
-        if (!plot.keys.empty()) CHECK(plot.keys.size() <= 6 + kDashes);
+        if (!plot.keys.empty()) CHECK(plot.keys.size() <= 12 + kDashes);
       }
       CHECK(drawn == static_cast<std::size_t>(orders) * widths);
       CHECK(names.size() == drawn);
@@ -181,6 +183,29 @@ TEST_CASE("against N and against κ") {
   const Series& by_kappa = stiffness.plots[1].series[0];
   CHECK(by_kappa.x.back() == Approx(200));
   CHECK(by_kappa.y.back() == Approx(200 * printed_slope(3, 0, 0.01)));
+}
+
+TEST_CASE("values in order have colours in order, none twice in a figure; kinds have the palette") {
+  const auto ink = [](const Series& s) { return light_theme().color(s.color, s.ramp); };
+  const auto light = [&](const Series& s) { return ink(s).r + ink(s).g + ink(s).b; };
+  for (const int orders : {2, 4, 9, 13}) {
+    CAPTURE(orders);
+    BarrierCurves curves = printed({}, {0.01});
+    for (int N = 1; N <= orders; ++N) curves.N.push_back(N);
+    const Figure figure = barrier_figure(curves);
+    CHECK(figure.plots.size() == (orders > 12 ? 4 : 2));
+    int before = 3 * 255;
+    for (std::size_t p = 0; p < figure.plots.size(); p += 2) {
+      for (const Series& s : figure.plots[p].series) {
+        if (!is_curve(s)) continue;
+        CHECK(light(s) < before);
+        before = light(s);
+      }
+    }
+  }
+  BarrierCurves kinds = printed({3}, {0.01});
+  kinds.kinds = {BarrierKind::polynomial, BarrierKind::even};
+  for (const Series& s : barrier_figure(kinds).plots[0].series) CHECK(s.ramp == 0);
 }
 
 TEST_CASE("the title says which onset is drawn") {

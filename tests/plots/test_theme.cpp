@@ -112,6 +112,23 @@ TEST_CASE("curves of a theme are told apart with every kind of colour vision") {
   }
 }
 
+TEST_CASE("a ramp stands out from the paper, more and more, and twelve neighbours are told apart") {
+  for (const PlotTheme* theme : {&light_theme(), &dark_theme()}) {
+    CAPTURE(theme == &dark_theme());
+    CHECK(theme->color(0, 1) == theme->ramp.front());
+    CHECK(theme->color(11, 12) == theme->ramp.back());
+    CHECK(theme->color(9, 0) == theme->color(9));
+    for (int k = 0; k < 12; ++k) {
+      CAPTURE(k);
+      CHECK(contrast(theme->color(k, 12), theme->paper) > 3);
+      if (k == 0) continue;
+      CHECK(contrast(theme->color(k, 12), theme->paper) > contrast(theme->color(k - 1, 12), theme->paper));
+      for (const Matrix& eye : kVision)
+        CHECK(difference(theme->color(k, 12), theme->color(k - 1, 12), eye) > 4);
+    }
+  }
+}
+
 TEST_CASE("both themes have the same hues in the same order") {
   for (int k = 0; k < kPaletteSize - 1; ++k) {  // slate has none
     CAPTURE(k);

@@ -65,10 +65,18 @@ Figure figure1() {
   left.y.lo = -0.15;
   left.y.hi = 4;
   const PlotRange x{kLeft * d_hat, kRight * d_hat};
-  for (const int N : {1, 2, 3, 4, 8}) {
-    left.series.push_back(barrier_curve(fmt::format("N = {}", N), -1,
-                                        {BarrierKind::polynomial, N, d_hat, 1, 0}, &BarrierValue::value, x,
-                                        samples));
+  // Values in order, colours in order.
+  const auto add = [](Plot& plot, Series series, int index, int count) {
+    series.color = index;
+    series.ramp = count;
+    plot.series.push_back(std::move(series));
+  };
+  constexpr std::array kOrders{1, 2, 3, 4, 8};
+  for (std::size_t k = 0; k < kOrders.size(); ++k) {
+    add(left,
+        barrier_curve(fmt::format("N = {}", kOrders[k]), 0,
+                      {BarrierKind::polynomial, kOrders[k], d_hat, 1, 0}, &BarrierValue::value, x, samples),
+        static_cast<int>(k), kOrders.size());
   }
   left.series.push_back(curve(
       "−ln(d/d̂), N → ∞", 6, barrier_samples(BarrierAbscissa::gap, {d_hat / samples, d_hat}, samples - 1, {}),
@@ -78,10 +86,13 @@ Figure figure1() {
   left.series.back().quantity = "[1]";
   for (std::size_t k = 5; k < 7; ++k) left.series[k].style = SeriesStyle::dashed;
 
-  for (const double thickness : {0.005, 0.01, 0.015, 0.02}) {
-    right.series.push_back(barrier_curve(parameter_text(&ContactParams::d_hat, thickness), -1,
-                                         {BarrierKind::polynomial, 3, thickness, 1, 0}, &BarrierValue::first,
-                                         {-0.005, 0.0225}, samples));
+  constexpr std::array kThicknesses{0.005, 0.01, 0.015, 0.02};
+  for (std::size_t k = 0; k < kThicknesses.size(); ++k) {
+    add(right,
+        barrier_curve(parameter_text(&ContactParams::d_hat, kThicknesses[k]), 0,
+                      {BarrierKind::polynomial, 3, kThicknesses[k], 1, 0}, &BarrierValue::first,
+                      {-0.005, 0.0225}, samples),
+        static_cast<int>(k), kThicknesses.size());
   }
   right.y.lo = -1300;
   right.y.hi = 60;

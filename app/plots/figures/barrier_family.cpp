@@ -37,7 +37,7 @@ Family family_of(const BarrierCurves& curves) {
     if (f.count[d] == 1) continue;
     if (!f.color) {
       f.color = static_cast<Dim>(d);
-      most[d] = kColors;
+      most[d] = d == kind ? kColors : kShades;
     } else if (!f.dash) {
       f.dash = static_cast<Dim>(d);
       most[d] = kDashes;
@@ -57,6 +57,10 @@ Family family_of(const BarrierCurves& curves) {
     f.rows = std::move(next);
   }
   return f;
+}
+
+std::pair<int, int> color_of(const Family& f, std::size_t i) {
+  return {static_cast<int>(i), *f.color == kind ? 0 : static_cast<int>(f.count[*f.color])};
 }
 
 bool is_curve(const Family& f, const Index5& at, std::size_t first_order) {

@@ -13,7 +13,8 @@
 
 namespace pabd::barrier_family {
 
-inline constexpr std::size_t kColors = 6;  // of the palette; the last one is for kinds without orders
+inline constexpr std::size_t kColors = 6;   // of the palette; the last one is for kinds without orders
+inline constexpr std::size_t kShades = 12;  // of a ramp: more could not be told apart
 inline constexpr int kPlain = 6;
 
 // What can have several values.
@@ -31,6 +32,10 @@ struct Family {
 Dim dim_of(BarrierAbscissa abscissa);
 bool has_orders(BarrierKind kind);
 Family family_of(const BarrierCurves& curves);
+
+// The colour of value i of what is told apart by colour: kinds have some of the palette, what is in order has a ramp
+// over all rows. `color` and `ramp` of a Series or PlotKey.
+std::pair<int, int> color_of(const Family& family, std::size_t i);
 
 // Whether a combination is a curve of its own: kinds without orders have one for all N, the even barrier one
 // for 2n and 2n + 1 and none below 2.

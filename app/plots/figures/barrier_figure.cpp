@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 #include <functional>
+#include <tuple>
 
 #include "app/plots/axis_ticks.h"
 #include "app/plots/figures/run_caption.h"
@@ -133,6 +134,7 @@ Series points_of(const Family& f, const Index5& at, bool slope, const Series& of
     const BarrierValue b = evaluate_at(f, at, x);
     return slope ? b.first : b.value;
   });
+  points.ramp = of.ramp;
   points.style = SeriesStyle::markers;
   points.weight = 0.9;
   points.quantity = of.name.empty() ? "marked" : of.name + ", marked";
@@ -154,8 +156,9 @@ std::vector<PlotKey> keys_of(const Family& f, std::size_t row) {
   const auto add = [&](Dim dim, bool color) {
     const auto [begin, end] = f.rows[row][dim];
     for (std::size_t i = begin; i < end; ++i) {
-      const int look = static_cast<int>(i - begin);
-      if (used(dim, i)) keys.push_back({value_of(f, dim, i), color ? look : kPlain, color ? 0 : look});
+      if (!used(dim, i)) continue;
+      const auto [hue, ramp] = color ? color_of(f, i) : std::pair(kPlain, 0);
+      keys.push_back({value_of(f, dim, i), hue, color ? 0 : static_cast<int>(i - begin), ramp});
     }
   };
   add(*f.color, true);
@@ -235,9 +238,13 @@ Figure barrier_figure(const BarrierCurves& curves) {
       const BarrierKind k = f.in.kinds[at[kind]];
       Series v;
       v.name = name_of(f, at);
-      v.color = f.color == orders && !has_orders(k) ? kPlain
-                : f.color ? static_cast<int>(at[*f.color] - f.rows[row][*f.color].first)
-                          : 0;
+      if (f.color == orders && !has_orders(k)) {
+        v.color = kPlain;
+      } else if (f.color) {
+        std::tie(v.color, v.ramp) = color_of(f, at[*f.color]);
+      } else {
+        v.color = 0;
+      }
       v.dash = f.dash ? static_cast<int>(at[*f.dash] - f.rows[row][*f.dash].first) : 0;
       Series s = v;
       if (traits_of(k).per_area) {
