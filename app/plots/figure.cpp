@@ -39,10 +39,21 @@ struct Parts {
   std::size_t plots;  // the first so many
 };
 
-bool is_readable(const FigureLayout& layout) {
+// Whether curves have room beside titles, labels and ticks.
+bool is_readable(const Figure& figure, const FigureLayout& layout, const FontMetrics& font) {
   const double tick = layout.style.tick;
-  return std::all_of(layout.cells.begin(), layout.cells.end(),
-                     [&](const Rect& cell) { return cell.w >= 14 * tick && cell.h >= 9 * tick; });
+  for (std::size_t i = 0; i < layout.cells.size(); ++i) {
+    const Rect& cell = layout.cells[i];
+    if (cell.w < 14 * tick || cell.h < 9 * tick) return false;
+    const Rect inner = layout_plot(figure.plots[i], cell, layout.style, font).inner;
+    if (inner.w < 8 * tick || inner.h < 4 * tick) return false;
+  }
+  return true;
+}
+
+// Size of the letters of a figure's title; 0: no room.
+double title_size(const std::string& title, double width, const PlotStyle& style, const FontMetrics& font) {
+  return fitted_size(font, title, 1.15 * style.title, style.tick, width - style.tick);
 }
 
 FigureLayout layout_parts(const Figure& figure, const Parts& parts, double width, double height,
@@ -58,7 +69,7 @@ FigureLayout layout_parts(const Figure& figure, const Parts& parts, double width
   const PlotStyle& style = layout.style;
   const double margin = std::min(1.6 * style.tick, 0.04 * std::min(width, height));
   double top = margin, bottom = height - margin;
-  if (parts.title && !figure.title.empty()) {
+  if (parts.title && !figure.title.empty() && title_size(figure.title, width, style, font) > 0) {
     layout.title = {margin, top, width - 2 * margin, 1.2 * style.title};
     top += 2.2 * style.title;
   }
@@ -99,7 +110,7 @@ FigureLayout layout_figure(const Figure& figure, double width, double height, co
   // In this order, as long as the plots are too small to be read.
   Parts parts{true, true, figure.plots.size()};
   FigureLayout layout = layout_parts(figure, parts, width, height, font, theme);
-  while (!is_readable(layout) && (parts.caption || parts.title || parts.plots > 1)) {
+  while (!is_readable(figure, layout, font) && (parts.caption || parts.title || parts.plots > 1)) {
     if (parts.caption) {
       parts.caption = false;
     } else if (parts.title) {
@@ -113,8 +124,9 @@ FigureLayout layout_figure(const Figure& figure, double width, double height, co
 }
 
 void paint_title(const std::string& title, double width, double y, const PlotStyle& style, Canvas& canvas) {
-  if (title.empty()) return;
-  canvas.text({0.5 * width, y}, title, {1.15 * style.title, style.theme.text, AlignX::center, AlignY::top});
+  const double size = title_size(title, width, style, canvas.font());
+  if (title.empty() || size == 0) return;
+  canvas.text({0.5 * width, y}, title, {size, style.theme.text, AlignX::center, AlignY::top});
 }
 
 void paint_caption(const std::vector<std::string>& lines, double width, double y, const PlotStyle& style,

@@ -118,6 +118,20 @@ Legend legend_rows(const Plot& plot, const std::vector<Color>& colors, double wi
   return legend;
 }
 
+void flow_legend(Legend& legend, double width, const PlotStyle& style, const FontMetrics& font) {
+  Point next;
+  double widest = 0;
+  for (LegendEntry& entry : legend.entries) {
+    const double length = legend.sample + 0.6 * style.tick + text_width(font, entry.name, style.tick);
+    if (next.x > 0 && next.x + length > width) next = {0, next.y + row_height(style)};
+    entry.at = {next.x, next.y + 0.5 * row_height(style)};
+    widest = std::max(widest, next.x + length);
+    next.x += length + 1.1 * style.tick;
+  }
+  legend.box = {0, 0, widest, next.y + row_height(style)};
+  legend.boxed = false;
+}
+
 void move_legend(Legend& legend, double x, double y) {
   for (LegendEntry& entry : legend.entries) {
     entry.at.x += x - legend.box.x;

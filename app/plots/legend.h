@@ -14,6 +14,9 @@ Legend legend_column(const Plot& plot, const std::vector<Color>& colors, const P
 Legend legend_rows(const Plot& plot, const std::vector<Color>& colors, double width, const PlotStyle& style,
                    const FontMetrics& font);
 
+// Puts the entries of a column side by side instead, in rows at most `width` wide; an entry that is wider alone sticks out.
+void flow_legend(Legend& legend, double width, const PlotStyle& style, const FontMetrics& font);
+
 // Moves the box's top left corner to (x, y).
 void move_legend(Legend& legend, double x, double y);
 

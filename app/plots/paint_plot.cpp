@@ -25,6 +25,16 @@ void paint_marker(const Point& at, double radius, Color color, const PlotStyle& 
   canvas.fill_circle(at, radius, color);
 }
 
+// Where something `length` long starts that should start at `at` but stay between lo and hi.
+double within(double at, double length, double lo, double hi) {
+  return std::clamp(at, lo, std::max(lo, hi - length));
+}
+
+// The label of an axis, shrunk where it is too long; size 0 where it does not fit.
+double label_size(const std::string& label, double room, const PlotStyle& style, const Canvas& canvas) {
+  return fitted_size(canvas.font(), label, style.label, 0.8 * style.tick, room);
+}
+
 void paint_grid(const PlotLayout& layout, const PlotStyle& style, Canvas& canvas) {
   const Rect& in = layout.inner;
   for (const bool major : {false, true}) {
@@ -101,14 +111,15 @@ void paint_vertical_axis(const AxisScale& axis, const std::string& label, bool r
   }
   text.x = right ? AlignX::right : AlignX::left;
   if (!axis.factor.empty()) canvas.text({edge, above}, axis.factor, text);
-  if (label.empty()) return;
-  text.size = style.label;
+  text.size = label_size(label, layout.area.h, style, canvas);
+  if (label.empty() || text.size == 0) return;
   text.vertical = true;
   text.x = AlignX::center;
   text.y = right ? AlignY::bottom : AlignY::top;
   const double x = right ? layout.area.right() : layout.area.x;
-  canvas.text({x, in.y + 0.5 * in.h}, label, text);
-  const double end = in.y + 0.5 * in.h - 0.5 * text_width(canvas.font(), label, style.label);
+  const double length = text_width(canvas.font(), label, text.size);
+  const double end = within(in.y + 0.5 * (in.h - length), length, layout.area.y, layout.area.bottom());
+  canvas.text({x, end + 0.5 * length}, label, text);
   const double along = x + (right ? -0.5 : 0.5) * FontMetrics::cap * style.label;
   paint_chips(chips, {along, end - 0.5 * style.tick}, true, style, canvas);
 }
@@ -127,8 +138,12 @@ void paint_horizontal_axis(const Plot& plot, const PlotLayout& layout, const Plo
   canvas.horizontal(in.x, in.right() + 1, foot, style.theme.axis, style.grid);
   const double below =
       foot + style.tick_length + style.gap + FontMetrics::cap * style.tick + 0.55 * style.label;
-  text.size = style.label;
-  if (!plot.x.label.empty()) canvas.text({in.x + 0.5 * in.w, below}, plot.x.label, text);
+  text.size = label_size(plot.x.label, layout.area.w, style, canvas);
+  if (!plot.x.label.empty() && text.size > 0) {
+    const double length = text_width(canvas.font(), plot.x.label, text.size);
+    const double start = within(in.x + 0.5 * (in.w - length), length, layout.area.x, layout.area.right());
+    canvas.text({start + 0.5 * length, below}, plot.x.label, text);
+  }
   if (!layout.x.factor.empty()) {
     text.size = style.tick;
     text.x = AlignX::right;
@@ -268,10 +283,11 @@ void paint_plot(const Plot& plot, const PlotLayout& layout, const PlotStyle& sty
     canvas.text({layout.area.x, below}, layout.caption[k],
                 {kCaption * style.tick, style.theme.muted, AlignX::left, AlignY::bottom});
   }
-  if (!plot.title.empty()) {
-    const TextStyle title{style.title, style.theme.text, style.compact ? AlignX::left : AlignX::center,
-                          AlignY::top};
-    canvas.text({style.compact ? layout.area.x : in.x + 0.5 * in.w, layout.area.y}, plot.title, title);
+  if (layout.title > 0) {
+    const double width = text_width(canvas.font(), plot.title, layout.title);
+    const double left = within(in.x + 0.5 * (in.w - width), width, layout.area.x, layout.area.right());
+    canvas.text({style.compact ? layout.area.x : left, layout.area.y}, plot.title,
+                {layout.title, style.theme.text, AlignX::left, AlignY::top});
   }
   if (layout.empty) {
     canvas.stroke_rect(in, style.theme.grid, style.grid);

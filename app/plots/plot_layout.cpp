@@ -15,6 +15,7 @@ namespace {
 constexpr double kPad = 0.05, kPadX = 0.02;
 constexpr double kStrip = 1.6;  // height of the band, in tick labels
 constexpr std::size_t kCaptionLines = 2;
+constexpr double kLegendPart = 0.3;  // of the height, that a legend above the inside may take
 
 bool is_curve(const Series& series) {
   return series.style == SeriesStyle::line || series.style == SeriesStyle::dashed;
@@ -146,7 +147,7 @@ Margins find_margins(const Plot& plot, const PlotLayout& layout, const PlotStyle
   if (has_strip(plot)) m.bottom += (kStripWords + kStrip) * style.tick + style.gap;
   if (!layout.caption.empty()) m.bottom += caption_height(layout, style);
   m.top = tick_height;  // half a tick label sticks out
-  if (!plot.title.empty()) m.top += FontMetrics::line * style.title;
+  if (layout.title > 0) m.top += FontMetrics::line * style.title;
   if (!layout.y.factor.empty() || !layout.y_right.factor.empty() ||
       (style.compact && !(plot.y.label + plot.y_right.label).empty())) {
     m.top += FontMetrics::line * style.tick;
@@ -227,6 +228,7 @@ PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& styl
   PlotLayout layout;
   layout.area = area;
   add_colors(plot, style.theme, layout);
+  if (!plot.title.empty()) layout.title = fitted_size(font, plot.title, style.title, style.tick, area.w);
   const Ranges ranges = find_ranges(plot);
   layout.has_right =
       std::any_of(plot.series.begin(), plot.series.end(), [](const Series& s) { return s.right_axis; });
@@ -259,14 +261,14 @@ PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& styl
     layout.strip = {layout.inner.x, layout.inner.bottom() + style.gap + std::round(kStripWords * style.tick),
                     layout.inner.w, std::round(kStrip * style.tick)};
   };
+  const double below_title = area.y + (layout.title > 0 ? FontMetrics::line * style.title : 0);
   if (style.compact) {
     // Legend rows between the title and the axes.
     Legend rows = legend_rows(plot, layout.colors, area.w, style, font);
     outer.y += rows.box.h;
     outer.h -= rows.box.h;
     settle();
-    const double title = plot.title.empty() ? 0 : FontMetrics::line * style.title;
-    move_legend(rows, area.x, area.y + title);
+    move_legend(rows, area.x, below_title);
     layout.legend = std::move(rows);
     place_tags(plot, style, font, layout);
     return layout;
@@ -280,7 +282,15 @@ PlotLayout layout_plot(const Plot& plot, const Rect& area, const PlotStyle& styl
       legend.boxed = false;
       move_legend(legend, area.right() - legend.box.w, layout.inner.y);
     } else {
-      legend = {};  // a small plot has none
+      flow_legend(legend, area.w, style, font);
+      if (legend.box.h <= kLegendPart * layout.inner.h && legend.box.w <= area.w) {
+        outer.y += legend.box.h;
+        outer.h -= legend.box.h;
+        settle();
+        move_legend(legend, area.x, below_title);
+      } else {
+        legend = {};  // a small plot has none
+      }
     }
   }
   layout.legend = std::move(legend);

@@ -64,7 +64,8 @@ struct PlotTag {
 struct PlotLayout {
   Rect area;
   Rect inner;
-  Rect strip;  // between the inside and the horizontal axis; without height: none
+  double title = 0;  // size of the title's letters; 0: none, or no room for it
+  Rect strip;        // between the inside and the horizontal axis; without height: none
   AxisScale x, y, y_right;
   bool has_right = false;
   bool empty = false;         // nothing to draw: "no data"

@@ -180,13 +180,22 @@ double text_width(const FontMetrics& font, std::string_view rich, double size) {
   return layout_text(font, rich, size).width;
 }
 
+double fitted_size(const FontMetrics& font, std::string_view rich, double size, double least, double width) {
+  const double natural = text_width(font, rich, size);
+  const double fitted = natural > width ? size * width / natural : size;
+  return fitted < least ? 0 : fitted;
+}
+
 std::vector<std::string> wrap_text(const FontMetrics& font, std::string_view rich, double size,
                                    double width) {
   std::vector<std::string> lines;
   std::string line;
   std::size_t i = 0;
   while (i < rich.size()) {
-    const std::size_t end = std::min(rich.find(' ', i), rich.size());
+    std::size_t end = std::min(rich.find(' ', i), rich.size());
+    while (end < rich.size() &&
+           (rich.substr(end).starts_with(" = ") || rich.substr(i, end - i).ends_with(" =")))
+      end = std::min(rich.find(' ', end + 1), rich.size());
     const std::string_view word = rich.substr(i, end - i);
     i = end + 1;
     if (word.empty()) continue;

@@ -76,7 +76,10 @@ struct TextLayout {
 TextLayout layout_text(const FontMetrics& font, std::string_view rich, double size);
 double text_width(const FontMetrics& font, std::string_view rich, double size);
 
-// Breaks at blanks so that no line is wider than `width` px (a single word may be).
+// `size`, or as much less as makes the text `width` px wide; 0 where that is less than `least`: then there is no room.
+double fitted_size(const FontMetrics& font, std::string_view rich, double size, double least, double width);
+
+// Breaks at blanks, though not within "N = 3", so that no line is wider than `width` px (a single word may be).
 std::vector<std::string> wrap_text(const FontMetrics& font, std::string_view rich, double size, double width);
 
 }  // namespace pabd

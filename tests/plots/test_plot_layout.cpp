@@ -141,6 +141,29 @@ TEST_CASE("a legend that would hide curves stands beside the plot") {
   CHECK(layout.legend.box.right() <= layout.area.right() + kExact);
 }
 
+TEST_CASE("a legend that is too wide to stand beside a plot stands above it in rows") {
+  Plot plot = simple_plot();
+  plot.series.clear();
+  for (int s = 0; s < 3; ++s) {
+    Series series;
+    series.name = "a zigzag with a name as long as can be " + std::to_string(s);
+    for (int k = 0; k <= 200; ++k) {
+      series.x.push_back(10.0 * k / 200);
+      series.y.push_back((k + s) % 2 ? 1 : -1);
+    }
+    plot.series.push_back(series);
+  }
+  const FontMetrics font;
+  const Rect area{10, 20, 600, 400};
+  const PlotLayout layout = layout_plot(plot, area, figure_style(), font);
+  REQUIRE(layout.legend.entries.size() == 3);
+  CHECK(area.contains(layout.legend.box));
+  CHECK(layout.legend.box.bottom() <= layout.inner.y);
+  CHECK(layout.legend.box.y >= area.y + figure_style().title);
+  CHECK(layout.legend.entries[0].at.y == layout.legend.entries[1].at.y);
+  CHECK(layout.legend.entries[2].at.y > layout.legend.entries[1].at.y);
+}
+
 TEST_CASE("a legend names what is drawn and nothing else") {
   constexpr double nan = std::numeric_limits<double>::quiet_NaN();
   const FontMetrics font;

@@ -68,4 +68,28 @@ TEST_CASE("wrapped lines keep every word and the width") {
   CHECK(joined == text);
 }
 
+TEST_CASE("an equation is not broken between lines") {
+  const FontMetrics font;
+  const std::string text = "a pile, N = 3, ε = 0.2, a = b = c and the end of it";
+  for (double width = 10; width < 500; width += 7) {
+    CAPTURE(width);
+    std::string joined;
+    for (const std::string& line : wrap_text(font, text, 12, width)) {
+      CHECK_FALSE(line.starts_with("="));
+      CHECK_FALSE(line.ends_with("="));
+      joined += (joined.empty() ? "" : " ") + line;
+    }
+    CHECK(joined == text);
+  }
+}
+
+TEST_CASE("a text that is too wide gets smaller, and none where it could not be read") {
+  const FontMetrics font;
+  const double width = text_width(font, "a title", 20);
+  CHECK(fitted_size(font, "a title", 20, 10, width + 1) == 20);
+  CHECK(text_width(font, "a title", fitted_size(font, "a title", 20, 10, 0.7 * width)) ==
+        Approx(0.7 * width));
+  CHECK(fitted_size(font, "a title", 20, 10, 0.4 * width) == 0);
+}
+
 }  // namespace pabd::test_rich_text
