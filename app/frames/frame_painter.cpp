@@ -190,7 +190,7 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   data_.distances = apart;
   data_.span = &span;
   const auto draw_on = [&](const PictureTheme& theme) {
-    visual_.theme = &theme;
+    visual_.theme = data_.theme = &theme;
     renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_), quality_,
                    on_device ? on_device->bodies : nullptr);
     renderer_.queue_read();

@@ -31,8 +31,9 @@ struct OverlayData {
 
   const BodyColors* colors = nullptr;  // of the bodies
   ContactQuantity contacts_by = ContactQuantity::gap;
-  ValueRange force_range{};          // of the contacts, N
-  bool axes = false, scale = false;  // view_marks.h
+  ValueRange force_range{};                   // of the contacts, N
+  bool axes = false, scale = false;           // view_marks.h
+  const PictureTheme* theme = &kStudioTheme;  // of the picture; never null
 
   // What is known of the whole video: its time, s, and its iterations. Nothing: axes fit what they show.
   double from = 0, to = 0;

@@ -22,6 +22,7 @@ constexpr double kPitch = FontMetrics::line * kTitle;  // of its details
 // Top centre of what the panels leave free.
 void paint_caption(const PanelLayout& layout, const OverlayData& data, Canvas& canvas) {
   if (data.caption.empty()) return;
+  const PlotTheme& inks = inks_of(data);
   const double s = layout.scale;
   const Rect& free = layout.free;
   const double most = free.w - 4 * kPad * s;
@@ -39,11 +40,11 @@ void paint_caption(const PanelLayout& layout, const OverlayData& data, Canvas& c
   const double middle = free.x + 0.5 * free.w;
   const Rect box{std::round(middle - 0.5 * width - kPad * s), std::round(free.y + kPad * s),
                  std::round(width + 2 * kPad * s), std::round(height + 2 * kPad * s)};
-  paint_box(box, s, canvas);
-  canvas.text({middle, box.y + kPad * s}, data.caption, {letter, ink::text, AlignX::center, AlignY::top});
+  paint_box(box, s, inks, canvas);
+  canvas.text({middle, box.y + kPad * s}, data.caption, {letter, inks.text, AlignX::center, AlignY::top});
   double y = box.y + kPad * s + FontMetrics::cap * letter + (pitch - FontMetrics::cap * text);
   for (const std::string& line : lines) {
-    canvas.text({middle, y}, line, {text, ink::text, AlignX::center, AlignY::top});
+    canvas.text({middle, y}, line, {text, inks.text, AlignX::center, AlignY::top});
     y += pitch;
   }
 }
@@ -58,7 +59,7 @@ double caption_height(double scale, std::size_t details) {
 
 void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& canvas) {
   for (const PlacedPanel& placed : layout.panels) {
-    paint_box(placed.rect, layout.scale, canvas);
+    paint_box(placed.rect, layout.scale, inks_of(data), canvas);
     canvas.push_clip(placed.rect);
     placed.panel->paint(placed.rect, layout.scale, data, canvas);
     canvas.pop_clip();

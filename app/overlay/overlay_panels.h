@@ -9,7 +9,7 @@ namespace pabd {
 // The colour of a contact at x = d/d̂ as the picture shows it, sRGB.
 Color contact_ink(double x);
 
-// Draws the laid-out panels: a translucent white box each, with its content.
+// Draws the laid-out panels: a translucent box each, with its content.
 void paint_panels(const PanelLayout& layout, const OverlayData& data, Canvas& canvas);
 
 // Height in px that a caption with so many details takes at the top of the free rectangle.

@@ -15,19 +15,26 @@ namespace pabd::overlay_style {
 
 Color screen_ink(const Vec4f& c) { return {srgb_byte(c.x()), srgb_byte(c.y()), srgb_byte(c.z()), 255}; }
 
-void paint_box(const Rect& rect, double s, Canvas& canvas) {
-  canvas.fill_rect({rect.x - 1, rect.y - 1, rect.w + 2, rect.h + 2}, kRim, 6 * s);
-  canvas.fill_rect(rect, kPanel, 5 * s);
+const PlotTheme& inks_of(const OverlayData& data) {
+  return data.theme->inks == kInksOnDark ? dark_theme() : light_theme();
 }
 
-void paint_small_plot(const Plot& plot, const Rect& rect, double s, Canvas& canvas) {
-  const PlotStyle style = panel_style().scaled(s);
+void paint_box(const Rect& rect, double s, const PlotTheme& inks, Canvas& canvas) {
+  const Color paper = inks.paper;
+  const std::uint8_t rim = inks.text.g > paper.g ? 255 : 0;
+  canvas.fill_rect({rect.x - 1, rect.y - 1, rect.w + 2, rect.h + 2}, {rim, rim, rim, kRimOpaque}, 6 * s);
+  canvas.fill_rect(rect, {paper.r, paper.g, paper.b, kOpaque}, 5 * s);
+}
+
+void paint_small_plot(const Plot& plot, const Rect& rect, double s, const PlotTheme& inks, Canvas& canvas) {
+  PlotStyle style = panel_style().scaled(s);
+  style.theme = inks;
   paint_plot(plot, layout_plot(plot, rect.inset(kPad * s), style, canvas.font()), style, canvas);
 }
 
 void paint_color_scale(const Rect& rect, double s, const std::string& name,
                        const std::vector<ScaleMark>& marks, const std::function<Color(double)>& color_at,
-                       Canvas& canvas) {
+                       const PlotTheme& inks, Canvas& canvas) {
   const Rect in = rect.inset(kPad * s);
   const double bar_left = in.x + text_width(canvas.font(), name, kText * s) + 12 * s;
   // The last number ends with the panel.
@@ -35,27 +42,26 @@ void paint_color_scale(const Rect& rect, double s, const std::string& name,
   const double after = std::max(8 * s, 0.5 * last);
   const Rect bar{std::round(bar_left), std::round(in.y), std::round(in.right() - bar_left - after),
                  std::round(11 * s)};
-  canvas.text({in.x, bar.y + 0.5 * bar.h}, name, {kText * s, ink::text, AlignX::left, AlignY::middle});
+  canvas.text({in.x, bar.y + 0.5 * bar.h}, name, {kText * s, inks.text, AlignX::left, AlignY::middle});
   // One strip a pixel column: colour maps have knees that a few triangles would cut off.
   for (int k = 0; k < static_cast<int>(bar.w); ++k)
     canvas.fill_rect({bar.x + k, bar.y, 1, bar.h}, color_at((k + 0.5) / bar.w));
   for (const ScaleMark& mark : marks) {
     const double x = bar.x + bar.w * mark.at;
-    canvas.vertical(std::clamp(x, bar.x, bar.right() - 1), bar.bottom(), bar.bottom() + 3 * s,
-                    light_theme().axis, s);
-    canvas.text({x, bar.bottom() + 6 * s}, mark.text, {kText * s, ink::text, AlignX::center, AlignY::top});
+    canvas.vertical(std::clamp(x, bar.x, bar.right() - 1), bar.bottom(), bar.bottom() + 3 * s, inks.axis, s);
+    canvas.text({x, bar.bottom() + 6 * s}, mark.text, {kText * s, inks.text, AlignX::center, AlignY::top});
   }
 }
 
 void paint_value_scale(const Rect& rect, double s, const std::string& name, const ValueRange& range,
-                       Canvas& canvas) {
+                       const PlotTheme& inks, Canvas& canvas) {
   std::vector<ScaleMark> marks;
   for (const double t : range.places()) {
     const double value = range.value(t);
     marks.push_back({t, value == 0 ? "0" : format_value(value, 3)});
   }
   const auto color_at = [](double t) { return screen_ink(value_color(t)); };
-  paint_color_scale(rect, s, name, marks, color_at, canvas);
+  paint_color_scale(rect, s, name, marks, color_at, inks, canvas);
 }
 
 std::string caption_of(const OverlayData& data) {

@@ -185,6 +185,30 @@ TEST_CASE("labels are painted where the camera sees them, not behind the eye") {
   CHECK(svg.find("behind") == std::string::npos);
 }
 
+TEST_CASE("panels over a dark picture are dark: nothing of them has an ink of the light theme") {
+  const FontMetrics font;
+  FrameView view;
+  view.model = joined(5);
+  view.history = some_history();
+  view.report.records.resize(5);
+  OverlayData data{"s", &view};
+  data.caption = "A and B";
+  OverlayOptions all = parse_panels("all");
+  all.show(joints_overlay);
+  const auto has = [&](const PictureTheme& theme, const char* ink) {
+    data.theme = &theme;
+    SvgCanvas canvas(font, 1280, 720);
+    paint_panels(layout_panels(all, data, 1280, 720), data, canvas);
+    return canvas.finish().find(ink) != std::string::npos;
+  };
+  for (const char* ink : {"#1f2933", "#5f6b78", "#ffffff\" fill-opacity=\"0.91"}) {
+    CAPTURE(ink);
+    CHECK(has(kPaperTheme, ink));
+    CHECK_FALSE(has(kDarkTheme, ink));
+  }
+  CHECK(has(kDarkTheme, "#1e2329"));
+}
+
 TEST_CASE("contact colours are the picture's, in sRGB") {
   CHECK(contact_ink(1).b > contact_ink(1).r);
   CHECK(contact_ink(-0.5).r > 2 * contact_ink(-0.5).b);

@@ -12,9 +12,9 @@ void paint_body_colors(const Rect& rect, double s, const OverlayData& data, Canv
   if (!colors.note.empty()) {
     const Rect in = rect.inset(kPad * s);
     return canvas.text({in.x, in.y + 0.5 * in.h}, colors.note,
-                       {kText * s, ink::text, AlignX::left, AlignY::middle});
+                       {kText * s, inks_of(data).text, AlignX::left, AlignY::middle});
   }
-  paint_value_scale(rect, s, colors.title, colors.range, canvas);
+  paint_value_scale(rect, s, colors.title, colors.range, inks_of(data), canvas);
 }
 
 bool has_colors(const OverlayData& data) { return data.colors && !data.colors->title.empty(); }

@@ -15,8 +15,9 @@ using namespace overlay_style;
 
 // The points, and below them the types that the scene has.
 void paint_joint_legend(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
+  const PlotTheme& inks = inks_of(data);
   const Rect in = rect.inset(kPad * s);
-  const TextStyle text{kText * s, ink::text, AlignX::left, AlignY::middle};
+  const TextStyle text{kText * s, inks.text, AlignX::left, AlignY::middle};
   double x = in.x, y = in.y + 0.22 * in.h;
   const auto name = [&](const char* words, double gap) {
     canvas.text({x, y}, words, text);
@@ -28,6 +29,7 @@ void paint_joint_legend(const Rect& rect, double s, const OverlayData& data, Can
       canvas.fill_circle(at, 5.6 * s, screen_ink(bond_line_color()));
       canvas.fill_circle(at, 4.4 * s, screen_ink(bond_point_j_color()));
     }
+    if (on_i && !on_j && !(inks.rim == inks.paper)) canvas.fill_circle(at, 3.7 * s, inks.rim);
     if (on_i) canvas.fill_circle(at, 2.7 * s, screen_ink(bond_point_i_color()));
     x += 17 * s;
     name(words, 16);

@@ -91,18 +91,19 @@ std::string shortened(const FontMetrics& font, const std::string& text, double s
 }
 
 void paint_params(const Rect& rect, double s, const OverlayData& data, Canvas& canvas) {
+  const PlotTheme& inks = inks_of(data);
   const Rect in = rect.inset(kPad * s);
   const std::string title = data.scene_name.empty() ? "parameters" : data.scene_name;
   canvas.text({in.x, in.y}, shortened(canvas.font(), title, kTitle * s, in.w),
-              {kTitle * s, ink::text, AlignX::left, AlignY::top});
+              {kTitle * s, inks.text, AlignX::left, AlignY::top});
   const std::vector<Row> rows = parameter_rows(data);
   const double top = in.y + 1.9 * kTitle * s;
   const double pitch = (in.bottom() - top) / std::max<double>(1, static_cast<double>(rows.size()) - 0.27);
   double y = top;
   for (const Row& row : rows) {
     const double baseline = y + FontMetrics::cap * kText * s;
-    canvas.text({in.x, baseline}, row.name, {kText * s, ink::muted});
-    canvas.text({in.right(), baseline}, row.value, {kText * s, ink::text, AlignX::right});
+    canvas.text({in.x, baseline}, row.name, {kText * s, inks.muted});
+    canvas.text({in.right(), baseline}, row.value, {kText * s, inks.text, AlignX::right});
     y += std::min(pitch, 1.75 * kText * s);
   }
 }
