@@ -7,6 +7,8 @@
 #include <cmath>
 #include <cstring>
 
+#include "sim/base/srgb.h"
+
 namespace pabd {
 namespace {
 
@@ -36,6 +38,12 @@ void store(float (&out)[16], const Mat4f& m) { std::memcpy(out, m.data(), sizeof
 void store(float (&out)[4], const float (&rgb)[3]) {
   std::copy(rgb, rgb + 3, out);
   out[3] = 1;
+}
+
+// Linear light between a level of sRGB and the next one, where light is neither 0 nor more than 1.
+float level_of(float light) {
+  const double level = srgb_from_linear(light);
+  return static_cast<float>(linear_from_srgb(level + 0.5 / 255) - linear_from_srgb(level - 0.5 / 255));
 }
 
 void store(float (&out)[4], const Vec3f& v, float w) {
@@ -169,8 +177,10 @@ FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shado
   store(u.sun, scene.theme->sun);
   store(u.sky, scene.theme->sky);
   store(u.bounce, scene.theme->bounce);
-  store(u.background_top, scene.theme->top);
-  store(u.background_bottom, scene.theme->bottom);
+  const PictureTheme& theme = *scene.theme;
+  const bool changes = !std::equal(theme.top, theme.top + 3, theme.bottom);
+  store(u.background_top, Vec3f(theme.top), changes ? level_of(theme.top[1]) : 0);
+  store(u.background_bottom, Vec3f(theme.bottom), changes ? level_of(theme.bottom[1]) : 0);
   store(u.floor_color, scene.theme->floor);
   std::copy(shadow.bounds, shadow.bounds + 4, u.shadow_bounds);
   u.shadow_size[0] = static_cast<float>(shadow.texels);

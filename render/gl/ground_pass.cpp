@@ -45,6 +45,7 @@ GroundPass::Program::Program(const GlFunctions& gl, const char* name, const std:
                frame_block(),
                shaders::shadow_depths,
                shaders::sun_visibility,
+               shaders::dither,
                shaders::ground_frag}),
       normal(program.uniform("normal")),
       axis_u(program.uniform("axis_u")),

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Pixels against theory: coverage, sRGB, background, shadow, transparency, glyphs behind bodies, lines.
 #include <Eigen/Geometry>
+#include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
 #include <limits>
@@ -71,6 +72,33 @@ TEST_CASE("the background runs from its lower to its upper colour") {
   CHECK(std::abs(top.b - to_srgb_byte(kStudioTheme.top[2])) <= 1);
   CHECK(std::abs(bottom.r - to_srgb_byte(kStudioTheme.bottom[0])) <= 1);
   CHECK(std::abs(bottom.b - to_srgb_byte(kStudioTheme.bottom[2])) <= 1);
+}
+
+TEST_CASE("the background shows no bands: means of 4×4 pixels are the gradient's to an eighth of a level") {
+  RenderFixture f(16, 720);
+  VisualScene scene;
+  for (const PictureTheme* theme : {&kStudioTheme, &kDarkTheme}) {
+    scene.theme = theme;
+    const Image image = render(f.renderer, scene);
+    double worst = 0;
+    for (int top = 0; top < image.height; top += 4) {
+      double mean = 0, exact = 0;
+      for (int y = top; y < top + 4; ++y) {
+        const double up = 1 - (y + 0.5) / image.height, t = up * up * (3 - 2 * up);
+        exact += to_srgb_byte(theme->bottom[1] + t * (theme->top[1] - theme->bottom[1])) / 4;
+        for (int x = 4; x < 8; ++x) mean += pixel(image, x, y).g / 16.0;
+      }
+      worst = std::max(worst, std::abs(mean - exact));
+    }
+    CAPTURE(theme->name);
+    CHECK(worst < 0.125);
+  }
+  // Where it is the same everywhere, all pixels are too.
+  for (const PictureTheme* theme : {&kPaperTheme, &kOnBlackTheme, &kOnWhiteTheme}) {
+    scene.theme = theme;
+    const Image image = render(f.renderer, scene);
+    CHECK(std::count(image.rgb.begin(), image.rgb.end(), image.rgb[0]) == std::ssize(image.rgb));
+  }
 }
 
 TEST_CASE("a red flat cube covers its projected area to 1 % and is exactly red") {

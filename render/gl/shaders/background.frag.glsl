@@ -3,5 +3,6 @@
 out vec4 fragment;
 void main() {
   float t = smoothstep(0.0, 1.0, gl_FragCoord.y / frame.viewport.y);
-  fragment = vec4(mix(frame.background_bottom.rgb, frame.background_top.rgb, t), 0.0);
+  vec4 far = mix(frame.background_bottom, frame.background_top, t);
+  fragment = vec4(far.rgb + far.a * part_of_level(), 0.0);
 }

@@ -4,8 +4,8 @@ in vec2 at;           // in spacings of the fine grid
 in vec2 from_centre;  // in radii of the scene
 flat in float fine_weight;
 flat in float turning;  // how much the coarse grid turns into the next fine one
-flat in vec3 far_bottom;  // what is behind everything: at the lower border of the picture, and how it changes to the upper one
-flat in vec3 far_change;
+flat in vec4 far_bottom;  // what is behind everything: at the lower border of the picture, and how it changes to the upper one
+flat in vec4 far_change;
 flat in float picture_height;
 flat in vec3 sky_part;  // of the floor's colour: what the sky gives, and the sun
 #ifdef SHADOWED
@@ -48,6 +48,7 @@ void main() {
   color += sun_part * sun_visibility(sun_at, sloping);
 #endif
   color *= 1.0 - line;
-  vec3 far = far_bottom + far_change * smoothstep(0.0, 1.0, gl_FragCoord.y / picture_height);
-  fragment = vec4(mix(color, far, smoothstep(1.5, 9.0, r)), 0.0);
+  vec4 far = far_bottom + far_change * smoothstep(0.0, 1.0, gl_FragCoord.y / picture_height);
+  float fade = smoothstep(1.5, 9.0, r);
+  fragment = vec4(mix(color, far.rgb, fade) + min(8.0 * fade, 1.0) * far.a * part_of_level(), 0.0);
 }

@@ -10,8 +10,8 @@ out vec2 at;           // in spacings of the fine grid
 out vec2 from_centre;  // in radii of the scene
 flat out float fine_weight;
 flat out float turning;
-flat out vec3 far_bottom;  // what is behind everything: at the lower border of the picture, and how it changes to the upper one
-flat out vec3 far_change;
+flat out vec4 far_bottom;  // what is behind everything: at the lower border of the picture, and how it changes to the upper one
+flat out vec4 far_change;
 flat out float picture_height;
 flat out vec3 sky_part;  // of the floor's colour: what the sky gives, and the sun
 #ifdef SHADOWED
@@ -28,8 +28,8 @@ void main() {
   from_centre = (place - vec2(axis_u.w, axis_v.w)) / frame.centre.w;
   fine_weight = grid.y;
   turning = grid.z;
-  far_bottom = frame.background_bottom.rgb;
-  far_change = frame.background_top.rgb - far_bottom;
+  far_bottom = frame.background_bottom;
+  far_change = frame.background_top - far_bottom;
   picture_height = frame.viewport.y;
   sky_part = frame.floor_color.rgb;
 #ifdef SHADOWED
