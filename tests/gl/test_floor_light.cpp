@@ -1,0 +1,63 @@
+// SPDX-License-Identifier: MIT
+// The floor where bodies stand on it.
+#include <Eigen/Geometry>
+#include <algorithm>
+#include <catch2/catch.hpp>
+#include <cmath>
+
+#include "tests/gl/render_fixture.h"
+
+namespace pabd::test_floor_light {
+
+namespace {
+
+constexpr int kSide = 400;
+
+// A floor under an eye `height` above its origin that looks straight down, and light from the right and the front.
+VisualScene floor_below(float height) {
+  VisualScene scene;
+  scene.grounds.push_back({{0, 1, 0}, 0});
+  scene.centre = {0, 0, 0};
+  scene.radius = 2;
+  scene.light_direction = {-1, -2, -0.5f};
+  scene.camera.eye = {0, height, 0};
+  scene.camera.target = {0, 0, 0};
+  scene.camera.up = {0, 0, -1};
+  return scene;
+}
+
+Instance grey(const Vec3f& at, const Vec3f& half) {
+  Mat4f m = Mat4f::Identity();
+  m.diagonal().head<3>() = half;
+  m.block<3, 1>(0, 3) = at;
+  return {m, {0.5f, 0.5f, 0.5f, 1}};
+}
+
+// Linear light of the floor point (x, z) in that picture.
+double light_at(const Image& image, double height, double x, double z) {
+  const double metre = 0.5 * kSide / (std::tan(22.5 * 3.14159265358979 / 180) * height);
+  return to_linear(
+      pixel(image, static_cast<int>(0.5 * kSide + x * metre), static_cast<int>(0.5 * kSide + z * metre)).g);
+}
+
+}  // namespace
+
+TEST_CASE("no light comes through under the foot of a wall that stands on the floor") {
+  const Quality level = GENERATE(Quality::draft, Quality::good, Quality::best);
+  RenderFixture f(kSide, kSide);
+  VisualScene scene = floor_below(4);
+  // Its shadow falls to the left of its face at x = 0.75, up to which the eye sees the floor.
+  scene.instances[0].push_back(grey({0.8f, 0.501f, 0}, {0.05f, 0.5f, 3}));
+  const Image image = render(f.renderer, scene, nullptr, level);
+  const auto brightest = [&](double from, double to) {
+    double most = 0;
+    for (double z = -0.5; z < 0.5; z += 0.01)
+      for (double x = from; x < to; x += 0.005) most = std::max(most, light_at(image, 4, x, z));
+    return most;
+  };
+  const double shade = brightest(0.45, 0.6);
+  CHECK(shade < 0.7 * brightest(-0.5, -0.3));
+  CHECK(brightest(0.6, 0.735) <= shade);
+}
+
+}  // namespace pabd::test_floor_light
