@@ -2,9 +2,11 @@
 // The soft darkness where bodies come close to the floor.
 //
 //   h        height of a caster above the floor                       m
-//   λ        fall-off: 0.4 × the mean radius of the casters           m
-//   D        exp(−h/λ), blurred with σ = 0.25 × the mean radius       0 … 1, part of the sky that is hidden
+//   λ        fall-off: 0.4 × the mean breadth of the casters          m
+//   D        exp(−h/λ), blurred with σ = 0.25 × the mean breadth      0 … 1, part of the sky that is hidden
 #include "render/gl/contact_shade_pass.h"
+
+#include <algorithm>
 
 #include "render/gl/shader_files.h"
 #include "sim/base/error.h"
@@ -53,11 +55,18 @@ void ContactShadePass::draw(const DrawList& list, const InstanceDrawer& drawer,
   gl_.ActiveTexture(GL_TEXTURE1);
   blur_.use();
   const float tap = 0.6f * floor.blur;
+  const auto texels = [](float part) {
+    return std::min(static_cast<int>(part * kFloorMapSize) + 2, kFloorMapSize);
+  };
+  gl_.Scissor(0, 0, texels(floor.used.x()), texels(floor.used.y()));
   for (int i = 0; i < 2; ++i) {
     gl_.BindFramebuffer(GL_FRAMEBUFFER, framebuffers_[1 - i].id());
+    if (i == 0) gl_.Clear(GL_COLOR_BUFFER_BIT);
+    gl_.Enable(GL_SCISSOR_TEST);
     gl_.BindTexture(GL_TEXTURE_2D, maps_[i].id());
     gl_.Uniform2f(step_, i == 0 ? tap : 0, i == 0 ? 0 : tap);
     blur_.draw();
+    gl_.Disable(GL_SCISSOR_TEST);
   }
 }
 

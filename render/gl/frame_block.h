@@ -15,7 +15,7 @@
 //   centre            xyz: of the scene; w: radius
 //   viewport          width, height in pixels; z: line width factor; w: size of a pixel at distance 1 (of parallel rays: in m)
 //   background_*      w: what a level of sRGB is worth there, 0 where the background is all the same
-//   floor_shade       fall-off of the contact shade in m, its strength (0: no floor), -, -
+//   floor_shade       fall-off of the contact shade in m, its strength (0: no floor), size of a texel of its map in m, -
 //   shadow_bounds     texels that casters may touch: x0, y0, x1, y1
 // clang-format off
 #define PABD_FRAME_BLOCK(X)  \

@@ -16,6 +16,8 @@ namespace {
 // receiver.
 constexpr float kDepthRoom = 64;
 constexpr int kBorder = 4;  // texels around the casters that the filter may read
+// Standard deviation of the contact shade: in mean breadths of the casters, and its limits in texels.
+constexpr float kBlur = 0.25f, kLeastBlur = 0.7f, kMostBlur = 1.7f;
 
 template <class F>
 void for_each_instance(const VisualScene& scene, const F& f) {
@@ -31,6 +33,13 @@ bool casts(const VisualScene& scene, const Instance& instance) {
   const float r = reach(instance.transform);
   const float distance = (instance.transform.block<3, 1>(0, 3) - scene.centre).norm();
   return distance - r <= kCasterDistance * scene.radius && r <= kCasterReach * scene.radius;
+}
+
+// reach(); of what is long and thin at most one and a half times that of a cube as thick.
+float breadth(const Mat4f& m) {
+  const Vec3f half = m.block<3, 3>(0, 0).colwise().norm().transpose();
+  const float middle = half.sum() - half.minCoeff() - half.maxCoeff();
+  return std::min(reach(m), 2.6f * middle);
 }
 
 void store(float (&out)[16], const Mat4f& m) { std::memcpy(out, m.data(), sizeof(out)); }
@@ -122,7 +131,7 @@ FloorVolume fit_floor(const VisualScene& scene, const CasterBounds& more) {
     if (!casts(scene, instance)) return;
     const Vec3f p = instance.transform.block<3, 1>(0, 3);
     const float r = reach(instance.transform);
-    sum += r;
+    sum += breadth(instance.transform);
     ++count;
     if (n.dot(p) - offset > kNearFloor * r) return;  // too high to matter
     const Eigen::Vector2f at(u.dot(p), v.dot(p));
@@ -132,10 +141,14 @@ FloorVolume fit_floor(const VisualScene& scene, const CasterBounds& more) {
   if (!(lo.array() <= hi.array()).all()) return floor;
   const float size = sum / static_cast<float>(count);
   const float margin = size;
-  const float extent = (hi - lo).maxCoeff() + 2 * margin;
+  const Eigen::Vector2f part = (hi - lo).array() + 2 * margin;
+  // Texels no finer than the blur, whose eleven taps would show as steps.
+  const float extent = std::max(part.maxCoeff(), kFloorMapSize * kBlur * size / kMostBlur);
+  if (!(extent > 0 && std::isfinite(extent))) return floor;
   floor.exists = true;
   floor.fall_off = 0.4f * size;
-  floor.blur = 0.25f * size / extent;
+  floor.blur = std::max(kBlur * size / extent, kLeastBlur / kFloorMapSize);
+  floor.used = part / extent;
   Mat4f& m = floor.world_to_map;
   m.block<1, 3>(0, 0) = u.transpose() / extent;
   m.block<1, 3>(1, 0) = v.transpose() / extent;
@@ -167,6 +180,7 @@ FrameUniforms frame_uniforms(const VisualScene& scene, const ShadowVolume& shado
   store(u.world_to_floor, floor.world_to_map);
   u.floor_shade[0] = floor.fall_off;
   u.floor_shade[1] = floor.exists ? 1.0f : 0.0f;
+  u.floor_shade[2] = 1 / (floor.world_to_map.block<1, 3>(0, 0).norm() * kFloorMapSize);
   store(u.eye, parallel ? Vec3f(scene.camera.eye + 1e4f * back) : scene.camera.eye, 1);
   store(u.light, towards_light(scene), shadow.depth_range);
   store(u.centre, scene.centre, radius);

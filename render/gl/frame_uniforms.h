@@ -27,6 +27,7 @@ struct FloorVolume {
   Mat4f world_to_map = Mat4f::Identity();  // x, y: 0 … 1 in the map; z: height above the floor in m
   float fall_off = 1;                      // m
   float blur = 0;                          // standard deviation, in parts of the map
+  Eigen::Vector2f used{0, 0};              // of the map, from its corner (0, 0): the rest is empty
 };
 
 // What casters that are in no VisualScene span (device_instances.h): those that fit_shadow() and fit_floor() would take

@@ -118,7 +118,7 @@ void GroundPass::draw_one(const VisualScene& scene, const ShadowVolume& shadow, 
     if (floor.exists && &ground == &scene.grounds.front()) {
       const Mat4f from_map = floor.world_to_map.inverse();
       reach((from_map * Vec4f(0, 0, 0, 1)).head<3>());
-      reach((from_map * Vec4f(1, 1, 0, 1)).head<3>());
+      reach((from_map * Vec4f(floor.used.x(), floor.used.y(), 0, 1)).head<3>());
     }
     fits = outer.contains(inner);
   }

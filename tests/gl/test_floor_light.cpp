@@ -60,4 +60,27 @@ TEST_CASE("no light comes through under the foot of a wall that stands on the fl
   CHECK(brightest(0.6, 0.735) <= shade);
 }
 
+TEST_CASE("the floor darkens at the foot of a thin post, wherever it stands, and not under one that floats") {
+  RenderFixture f(kSide, kSide);
+  // The darkest place in the sun 1 cm from its rim, between the lines of the floor; over the open floor.
+  const auto at_rim = [&](float x, float foot) {
+    constexpr float z = 0.45f;
+    VisualScene scene = floor_below(2);
+    for (const Eigen::Vector2f& at : {Eigen::Vector2f(x, z), {-1, -1}, {1, 1}}) {
+      scene.instances[static_cast<int>(Primitive::cylinder)].push_back(
+          grey({at.x(), foot + 0.5f, at.y()}, {0.02f, 0.5f, 0.02f}));
+    }
+    const Image image = render(f.renderer, scene);
+    double least = 1;
+    for (double angle = -0.5; angle < 0.5; angle += 0.1)
+      least = std::min(least, light_at(image, 2, x + 0.03 * std::cos(angle), z + 0.03 * std::sin(angle)));
+    return least / light_at(image, 2, 0.35, -0.45);
+  };
+  for (float x = -0.57f; x < -0.54f; x += 0.003f) {
+    CAPTURE(x);
+    CHECK(at_rim(x, 0) < 0.96);
+    CHECK(at_rim(x, 0.3f) > 0.99);
+  }
+}
+
 }  // namespace pabd::test_floor_light
