@@ -56,7 +56,7 @@ constexpr const char* quality_defines(Quality quality) {
     case Quality::draft:
       return "#define LIVE\n#define KERNEL 2\n";
     case Quality::good:
-      return "#define TAGGED\n#define KERNEL 4\n";
+      return "#define TAGGED\n#define KERNEL 6\n";
     case Quality::best:
       break;
   }

@@ -15,7 +15,7 @@ struct RenderQuality {
   Quality level = Quality::good;
   float tolerance = 0.35f;  // how far outlines of round bodies may be from the truth; pixels
   int shadow_side =
-      0;  // of the shadow map, for scenes of very many small bodies: a multiple of 8 texels. 0: by the level
+      0;  // of the shadow map, for scenes of very many small bodies: a multiple of 8 texels. 0: 512
 
   // A pixel. `software`: drawn by the processor, for which more than one is dear.
   constexpr int samples(bool software) const {
@@ -25,10 +25,8 @@ struct RenderQuality {
   constexpr bool smooth_outlines() const { return level == Quality::good; }
   // Darkness where bodies come close to the floor.
   constexpr bool soft_light() const { return level != Quality::draft; }
-  // Of a side of the shadow map, whose edges are 2, 4 or 6 texels wide.
-  constexpr int shadow_texels() const {
-    return shadow_side > 0 ? shadow_side : level == Quality::good ? 384 : 512;
-  }
+  // Of a side of the shadow map, whose edges are 6 texels wide, in drafts 2.
+  constexpr int shadow_texels() const { return shadow_side > 0 ? shadow_side : 512; }
 
   // For a window whose picture changes all the time, on a machine that draws without a GPU.
   static constexpr RenderQuality live() { return {Quality::draft, 0.8f}; }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <vector>
 
 #include "tests/gl/render_fixture.h"
 
@@ -58,6 +59,30 @@ TEST_CASE("no light comes through under the foot of a wall that stands on the fl
   const double shade = brightest(0.45, 0.6);
   CHECK(shade < 0.7 * brightest(-0.5, -0.3));
   CHECK(brightest(0.6, 0.735) <= shade);
+}
+
+TEST_CASE(
+    "the edge of a shadow is straight to a fifth of a pixel, whatever its angle to the texels of the map") {
+  RenderFixture f(kSide, kSide);
+  VisualScene scene = floor_below(4);
+  scene.light_direction = VisualScene{}.light_direction;  // to whose texels the edges of the wall are at 15°
+  scene.instances[0].push_back(grey({0.8f, 0.501f, 0}, {0.05f, 0.5f, 3}));
+  const Image image = render(f.renderer, scene);
+  const auto light = [&](int x, int y) { return to_linear(pixel(image, x, y).g); };
+  // Where the light is half way between shade and sun, in rows between lines of the floor.
+  std::vector<double> places;
+  for (int y = 212; y < 284; ++y) {
+    const double half = 0.5 * (light(230, y) + light(145, y));
+    int x = 150;
+    while (x < 230 && light(x + 1, y) >= half) ++x;
+    places.push_back(x + (light(x, y) - half) / (light(x, y) - light(x + 1, y)));
+  }
+  double mean = 0, off = 0;
+  for (const double place : places) mean += place / static_cast<double>(places.size());
+  for (const double place : places)
+    off += (place - mean) * (place - mean) / static_cast<double>(places.size());
+  CHECK(mean == Approx(200 - 0.1 * 120.7).margin(1));  // the wall's upper edge along the light
+  CHECK(std::sqrt(off) < 0.18);
 }
 
 TEST_CASE("the floor darkens at the foot of a thin post, wherever it stands, and not under one that floats") {
