@@ -148,7 +148,7 @@ void add_plot_barrier_command(CLI::App& plot, Action& action) {
       ->excludes(scene);
   command
       .option(kOwn, "--onset", options->onset,
-              fmt::format("onset width, 0 … 1 (default {}, that of runs); 0: the printed formula",
+              fmt::format("onset width, 0 … below 1 (default {}, that of runs); 0: the printed formula",
                           options->onset),
               "E")
       ->excludes(scene);

@@ -173,8 +173,10 @@ void FieldReader::read(const Node& node, const Field&, SurfaceFriction& out) con
   out.mu_static = in.number("static", allowed);
   out.mu_dynamic = in.number("dynamic", allowed, out.mu_static);
   if (out.mu_dynamic > out.mu_static)
-    in.fail_key("dynamic", fmt::format("{} is out of range: expected a coefficient not above the static one",
-                                       out.mu_dynamic));
+    in.fail_key(
+        "dynamic",
+        fmt::format("{} is out of range: expected a coefficient from 0 to {}, not above the static one",
+                    out.mu_dynamic, out.mu_static));
   // Scenes that say nothing of them keep their hash.
   if (in.has("torsional")) out.torsional = in.number("torsional", range_of("contact.friction.torsional"));
   if (in.has("rolling")) out.rolling = in.number("rolling", range_of("contact.friction.rolling"));

@@ -8,15 +8,13 @@
 namespace pabd {
 namespace {
 
-// What a value may be, in a few words: "0 … 1", "3 of 0 … 1", "free, locked".
+// What a value may be, in a few words: "0 … 1", "3 of 0 … below 1", "free, locked".
 std::string in_words(const OrderedJson& schema) {
-  const auto bound = [&](const char* key, const char* open) {
-    const OrderedJson& x = schema.contains(key)    ? schema[key]
-                           : schema.contains(open) ? schema[open]
-                                                   : OrderedJson();
-    if (x.is_null()) return std::string();
-    const std::string text = fmt::format("{}", x.get<double>());
-    return text.ends_with(".0") ? text.substr(0, text.size() - 2) : text;
+  const auto bound = [&](const char* key, const char* open, const char* beyond) {
+    const bool excluded = !schema.contains(key);
+    if (excluded && !schema.contains(open)) return std::string();
+    const std::string text = fmt::format("{}", schema[excluded ? open : key].get<double>());
+    return (excluded ? beyond : "") + (text.ends_with(".0") ? text.substr(0, text.size() - 2) : text);
   };
   if (schema.contains("const")) return fmt::format("`{}`", schema["const"].dump());
   if (schema.contains("$ref")) return fmt::format("{}", schema["$ref"].get<std::string>().substr(8));
@@ -41,7 +39,8 @@ std::string in_words(const OrderedJson& schema) {
   }
   if (type != "number" && type != "integer")
     return type == "string" ? "text" : type == "boolean" ? "true, false" : type;
-  const std::string lo = bound("minimum", "exclusiveMinimum"), hi = bound("maximum", "exclusiveMaximum");
+  const std::string lo = bound("minimum", "exclusiveMinimum", "above "),
+                    hi = bound("maximum", "exclusiveMaximum", "below ");
   const char* what = type == "integer" ? "whole " : "";
   return lo.empty() && hi.empty() ? "number" : fmt::format("{}{} … {}", what, lo, hi);
 }

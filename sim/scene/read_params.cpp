@@ -19,7 +19,10 @@ struct ValueReader {
   std::string_view key;
   const ParameterRow& row;
 
-  ParameterValue operator()(double now) const { return in.number(key, kAny, now); }
+  ParameterValue operator()(double now) const {
+    if (const auto node = in.find(key)) need_number(*node);
+    return in.number(key, kAny, now);
+  }
   ParameterValue operator()(int now) const {
     const auto bound = [](double x) { return static_cast<std::int64_t>(x); };
     return static_cast<int>(in.integer(key, bound(row.range.lo), bound(row.range.hi), now));
@@ -35,7 +38,7 @@ struct ValueReader {
       return std::optional<double>();
     }
     if (!node) return std::optional(in.number(key, kAny, *now));
-    if (!node->value().is_number()) node->fail_expected(expected_of(row));
+    need_number(*node);
     return std::optional(in.number(key, kAny));
   }
   template <class Enum>
@@ -45,6 +48,10 @@ struct ValueReader {
       words.push_back({choice.word, static_cast<int>(std::get<Enum>(choice.value))});
     }
     return static_cast<Enum>(in.choice(key, words, static_cast<int>(now)));
+  }
+
+  void need_number(const Node& node) const {
+    if (!node.value().is_number()) node.fail_expected(expected_of(row));
   }
 };
 
@@ -63,8 +70,12 @@ class ParamsReader {
       const auto node = in.find(part);
       const ParameterSection* known = find_section(key);
       const auto keys = parameter_keys(key, table_);
-      if (node && node->value().is_number() && known && known->as_number) {
+      const bool as_number = node && known && known->as_number;
+      if (as_number && node->value().is_number()) {
         read_number(in, node->number(kAny), key);
+      } else if (as_number && !node->value().is_object()) {
+        node->fail_expected(expected_of(*find_parameter(key_below(key, keys.front()), table_)) +
+                            ", or an object");
       } else {
         with_section(in, part, keys, [&](const ObjectReader& inner) { read(inner, key); });
       }

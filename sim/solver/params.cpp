@@ -38,7 +38,8 @@ std::optional<ParamError> check_together(const Params& params) {
   if (!(c.mu_dynamic <= c.mu_static))
     return ParamError{
         "/contact/friction/dynamic",
-        fmt::format("{} is out of range: expected a coefficient not above the static one", c.mu_dynamic)};
+        fmt::format("{} is out of range: expected a coefficient from 0 to {}, not above the static one",
+                    c.mu_dynamic, c.mu_static)};
   return std::nullopt;
 }
 

@@ -66,9 +66,10 @@ TEST_CASE("overrides pass the same checks, and the message says where the value 
   check_refused(kTwo, {"/contact/kapa", "did you mean \"kappa\"?", "--set contact.kapa=5"},
                 {"contact.kapa=5"});
   check_refused(kTwo, {"/bodies/1/mass", "not both"}, {"bodies.1.mass=1", "bodies.1.density=1"});
-  check_refused(kTwo, {"/time_step", "expected a number", "\"fast\"", "--set time_step=fast"},
+  check_refused(kTwo,
+                {"/time_step", "expected a step from 1e-6 to 1 (s)", "\"fast\"", "--set time_step=fast"},
                 {"time_step=fast"});
-  check_refused(kTwo, {"/time_step", "expected a number", "1e400"}, {"time_step=1e400"});
+  check_refused(kTwo, {"/time_step", "expected a step from 1e-6 to 1 (s)", "1e400"}, {"time_step=1e400"});
 }
 
 TEST_CASE("a bad path names the part that does not exist", "[scene]") {

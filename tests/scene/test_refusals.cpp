@@ -88,7 +88,7 @@ TEST_CASE("parameters out of range are refused at their place", "[scene]") {
   const std::vector<std::pair<std::string, std::vector<std::string>>> cases{
       {R"("time_step": 0)", {"/time_step", "expected"}},
       {R"("time_step": -0.01)", {"/time_step", "expected"}},
-      {R"("time_step": "fast")", {"/time_step", "expected a number", "fast"}},
+      {R"("time_step": "fast")", {"/time_step", "expected a step from 1e-6 to 1 (s)", "fast"}},
       {R"("gravity": [0, -9.81])", {"/gravity", "an array of 3 numbers"}},
       {R"("gravity": [0, -9.81, null])", {"/gravity/2", "expected a number", "null"}},
       {R"("gravity": -9.81)", {"/gravity", "an array of 3 numbers"}},
