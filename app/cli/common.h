@@ -9,6 +9,8 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <type_traits>
 #include <vector>
 
 #include "app/frames/pace.h"
@@ -60,6 +62,19 @@ struct LengthOptions {
 };
 inline constexpr int kMostFrames = 10'000'000;
 
+// Why `text` is no number, whole or not, of that unit (empty: it may be one): "expected a number (s), got "500ms"; write 0.5".
+std::string number_problem(const std::string& text, bool whole, std::string_view unit);
+
+// The type of a value, of an optional one, of one of a list.
+template <class T>
+struct Single {
+  using Type = T;
+};
+template <class T>
+struct Single<std::optional<T>> : Single<T> {};
+template <class T>
+struct Single<std::vector<T>> : Single<T> {};
+
 // A subcommand, while its options are added to it.
 class Command {
  public:
@@ -76,11 +91,18 @@ class Command {
   CLI::Option* argument(const char* name, T& value, const std::string& words) const {
     return app_->add_option(name, value, words);
   }
-  // `type`: what help calls the value: "N", "OUT.png".
+  // `type`: what help calls the value: "N", "OUT.png", "S" for seconds. `unit`: of numbers.
   template <class T>
   CLI::Option* option(const char* group, const char* name, T& value, const std::string& words,
-                      const char* type) const {
-    return app_->add_option(name, value, words)->type_name(type)->group(group);
+                      const char* type, const char* unit = "") const {
+    auto* option = app_->add_option(name, value, words)->type_name(type)->group(group);
+    using Type = typename Single<T>::Type;
+    if constexpr (std::is_arithmetic_v<Type>) {
+      const std::string_view of = std::string_view(type) == "S" ? "s" : unit;
+      option->check(
+          [of](const std::string& text) { return number_problem(text, std::is_integral_v<Type>, of); });
+    }
+    return option;
   }
   // One that may be given several times.
   CLI::Option* repeated(const char* group, const char* name, std::vector<std::string>& values,
@@ -89,9 +111,9 @@ class Command {
   }
   // One that takes a list with commas.
   template <class T>
-  CLI::Option* list(const char* group, const char* name, std::vector<T>& values,
-                    const std::string& words) const {
-    return option(group, name, values, words, "LIST")->delimiter(',')->allow_extra_args(false);
+  CLI::Option* list(const char* group, const char* name, std::vector<T>& values, const std::string& words,
+                    const char* unit = "") const {
+    return option(group, name, values, words, "LIST", unit)->delimiter(',')->allow_extra_args(false);
   }
   // One of several words.
   CLI::Option* word(const char* group, const char* name, std::string& value,

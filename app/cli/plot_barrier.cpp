@@ -140,8 +140,10 @@ void add_plot_barrier_command(CLI::App& plot, Action& action) {
       "SCENE", options->run.scene,
       "scene file, or the name of a shipped scene, for its own law; without it the lists below are drawn");
   command.list(kOwn, "--N", options->N, "highest orders (default 1,2,3,8)")->excludes(scene);
-  command.list(kOwn, "--d-hat", options->d_hat, "contact thicknesses in m (default 0.01)")->excludes(scene);
-  command.list(kOwn, "--kappa", options->kappa, "stiffnesses in J (default: plain B_N)")->excludes(scene);
+  command.list(kOwn, "--d-hat", options->d_hat, "contact thicknesses in m (default 0.01)", "m")
+      ->excludes(scene);
+  command.list(kOwn, "--kappa", options->kappa, "stiffnesses in J (default: plain B_N)", "J")
+      ->excludes(scene);
   command
       .list(kOwn, "--kind", options->kinds, fmt::format("{} (default polynomial)", fmt::join(words, ", ")))
       ->check(CLI::IsMember(kinds_by_word()))
@@ -162,7 +164,8 @@ void add_plot_barrier_command(CLI::App& plot, Action& action) {
   command
       .list(kOwn, "--gap", options->gaps,
             "with --against d-hat, N or kappa: distances d in m that curves are for (default: half of the "
-            "first d̂, 0, and an overlap of a quarter of it)")
+            "first d̂, 0, and an overlap of a quarter of it)",
+            "m")
       ->excludes(scene);
   add_figure_output_options(command, options->output);
   auto* time =

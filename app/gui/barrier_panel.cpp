@@ -17,6 +17,7 @@
 #include "app/plots/axis_ticks.h"
 #include "app/session/contact_advice.h"
 #include "sim/scene/tuning.h"
+#include "sim/scene/typed_number.h"
 
 namespace pabd {
 namespace {

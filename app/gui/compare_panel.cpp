@@ -16,6 +16,7 @@
 #include "app/session/joint_settings.h"
 #include "sim/math/types.h"
 #include "sim/scene/tuning.h"
+#include "sim/scene/typed_number.h"
 
 namespace pabd {
 namespace {

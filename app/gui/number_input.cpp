@@ -7,11 +7,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdlib>
 #include <utility>
 
 #include "app/gui/widgets.h"
 #include "app/plots/axis_ticks.h"
+#include "sim/scene/typed_number.h"
 
 namespace pabd {
 namespace {
@@ -20,22 +20,6 @@ constexpr double kDecades = 1e-6;  // of a logarithmic bar that begins at 0
 constexpr float kLeastMove = 3;    // pixels of an ordinary screen: less is a click
 
 double least(const SliderScale& s) { return s.lo > 0 ? s.lo : kDecades * s.hi; }
-
-struct Scaled {
-  std::string_view name, of;
-  double factor;
-};
-constexpr Scaled kScaled[] = {{"mm", "m", 1e-3},     {"cm", "m", 1e-2},        {"km", "m", 1e3},
-                              {"ms", "s", 1e-3},     {"min", "s", 60},         {"mm/s", "m/s", 1e-3},
-                              {"cm/s", "m/s", 1e-2}, {"km/h", "m/s", 1 / 3.6}, {"mJ", "J", 1e-3},
-                              {"kJ", "J", 1e3},      {"MJ", "J", 1e6},         {"mN", "N", 1e-3},
-                              {"kN", "N", 1e3},      {"kN/m", "N/m", 1e3}};
-
-std::string_view trimmed(std::string_view text) {
-  const auto first = text.find_first_not_of(" \t");
-  if (first == std::string_view::npos) return {};
-  return text.substr(first, text.find_last_not_of(" \t") - first + 1);
-}
 
 }  // namespace
 
@@ -46,25 +30,6 @@ double significant(double x, int digits) {
   // Powers of ten up to 1e22 are exact, so that one rounding remains.
   const double power = std::pow(10.0, std::abs(last));
   return last < 0 ? std::round(x * power) / power : std::round(x / power) * power;
-}
-
-std::string typed_number(std::string_view text, std::string_view unit) {
-  const std::string typed(trimmed(text));
-  char* end = nullptr;
-  const double value = std::strtod(typed.c_str(), &end);
-  const auto digits = static_cast<std::size_t>(end - typed.c_str());
-  if (digits == 0) return typed.substr(0, typed.find(' '));  // "auto 12.5 J"
-  const std::string_view behind = trimmed(std::string_view(typed).substr(digits));
-  if (behind.empty() || behind == unit) return typed.substr(0, digits);
-  for (const Scaled& scaled : kScaled)
-    if (scaled.name == behind && scaled.of == unit) return fmt::format("{}", value * scaled.factor);
-  return typed;
-}
-
-std::optional<double> number_of_text(const std::string& text) {
-  char* end = nullptr;
-  const double value = std::strtod(text.c_str(), &end);
-  return end != text.c_str() && *end == 0 ? std::optional(value) : std::nullopt;
 }
 
 std::string short_number(const std::string& text, int digits) {

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
-// Numbers as people enter them: dragged on a wide bar, with shift ten times finer, or typed with their unit. The rules
-// of dragging and reading need no window.
+// Numbers as people enter them: dragged on a wide bar, with shift ten times finer, or typed (with a unit:
+// sim/scene/typed_number.h). The rules of dragging need no window.
 #pragma once
 
 #include <optional>
 #include <string>
-#include <string_view>
 
 #include "app/gui/panel.h"
 
@@ -15,12 +14,6 @@ namespace pabd {
 // again. Digits: 1 to 15; |x| from 1e-15 to 1e20, else the last bit may differ.
 double significant(double x, int digits);
 
-// What was typed into a field of that unit, as --set takes it: "5 cm" in a field of m is "0.05", "5 m" and "5" are "5".
-// What is not of that unit stays as it was typed: --set refuses it with what it expects.
-std::string typed_number(std::string_view text, std::string_view unit);
-
-// The number that the whole text is, if it is one.
-std::optional<double> number_of_text(const std::string& text);
 // A value as text for a narrow place: of a number so many digits, words as they are.
 std::string short_number(const std::string& text, int digits);
 

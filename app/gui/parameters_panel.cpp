@@ -15,6 +15,7 @@
 #include "app/gui/widgets.h"
 #include "sim/scene/thickness.h"
 #include "sim/scene/tuning.h"
+#include "sim/scene/typed_number.h"
 
 namespace pabd {
 namespace {

@@ -83,7 +83,7 @@ std::string FieldReader::missing(const Field& field) {
 
 void FieldReader::read(const Node& node, const Field& field, double& out) const {
   if (field.may_be_auto && !node.is_word("auto") && !node.value().is_number())
-    node.fail_expected(field.range.text() + " or \"auto\"");
+    node.fail_number(field.range.text() + " or \"auto\"", field.range.unit);
   out = field.may_be_auto && node.is_word("auto") ? kAutoKappa : node.number(field.range);
   record(field, out);
 }
@@ -236,7 +236,7 @@ void FieldReader::read(const Node& node, const Field& field, Keyed<Value>& out) 
   if (field.or_constant && !node.value().is_object()) {
     if constexpr (std::is_same_v<Value, double>) {
       if (!node.value().is_number())
-        node.fail_expected(field.range.text() + " or { \"keys\": [[time, value], …] }");
+        node.fail_number(field.range.text() + " or { \"keys\": [[time, value], …] }", field.range.unit);
     } else if (!node.value().is_array()) {
       node.fail_expected("three numbers, or { \"keys\": [[time, [x, y, z]], …] }");
     }

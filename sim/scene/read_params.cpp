@@ -51,7 +51,7 @@ struct ValueReader {
   }
 
   void need_number(const Node& node) const {
-    if (!node.value().is_number()) node.fail_expected(expected_of(row));
+    if (!node.value().is_number()) node.fail_number(expected_of(row), row.unit);
   }
 };
 

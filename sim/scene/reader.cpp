@@ -10,6 +10,7 @@
 
 #include "sim/base/error.h"
 #include "sim/scene/text.h"
+#include "sim/scene/typed_number.h"
 
 namespace pabd {
 
@@ -95,12 +96,18 @@ void Node::fail_expected(std::string_view expected) const {
   fail(fmt::format("expected {}, got {}", expected, describe(*value_)));
 }
 
+void Node::fail_number(std::string_view expected, std::string_view unit) const {
+  if (!value_->is_string()) fail_expected(expected);
+  const auto& text = value_->get_ref<const std::string&>();
+  fail(fmt::format("expected {}, got {}{}", expected, describe(*value_), number_to_write(text, unit)));
+}
+
 bool Node::is_word(std::string_view word) const {
   return value_->is_string() && value_->get_ref<const std::string&>() == word;
 }
 
 double Node::number(const Range& range) const {
-  if (!value_->is_number()) fail_expected(range.text());
+  if (!value_->is_number()) fail_number(range.text(), range.unit);
   const double x = value_->get<double>();
   if (!std::isfinite(x) || !range.contains(x)) fail_expected(range.text());
   return x;

@@ -54,6 +54,8 @@ class Node {
   std::string pointer() const;
   [[noreturn]] void fail(std::string_view message) const;
   [[noreturn]] void fail_expected(std::string_view expected) const;  // "expected …, got …"
+  // The same where a number in `unit` is expected: of a text with another unit, or with this one, the number to write.
+  [[noreturn]] void fail_number(std::string_view expected, std::string_view unit) const;
 
   double number(const Range& range) const;
   std::int64_t integer(std::int64_t lo, std::int64_t hi) const;

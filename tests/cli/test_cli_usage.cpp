@@ -157,6 +157,24 @@ TEST_CASE("values out of range are refused, naming the option") {
   CHECK(folder.names().empty());
 }
 
+TEST_CASE("a number with a unit, or of the wrong kind, is told what to write") {
+  const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
+      {{"run", "stack", "--time", "500ms"}, "--time: expected a number (s), got \"500ms\"; write 0.5; "},
+      {{"render", "stack", "-o", "a.mp4", "--time", "2 min"}, "; write 120; "},
+      {{"run", "stack", "--time", "5 m"}, "--time: expected a number (s), got \"5 m\"; 'pabd run"},
+      {{"run", "stack", "--steps", "2.5"}, "--steps: expected a whole number, got \"2.5\"; 'pabd run"},
+      {{"run", "stack", "--steps", "99999999999999999999"}, "--steps: expected a whole number, got"},
+      {{"plot", "barrier", "-o", "a.csv", "--d-hat", "0.01,5mm"},
+       "--d-hat: expected a number (m), got \"5mm\"; write 0.005; "},
+      {{"render", "stack", "-o", "a.mp4", "--fps", "x"}, "--fps: expected a number, got \"x\"; "}};
+  for (const auto& [command, words] : wrong) {
+    CAPTURE(command);
+    const Outcome outcome = run_pabd(command);
+    CHECK(outcome.exit_code == 2);
+    CHECK(is_error_line(outcome.err, {words}));
+  }
+}
+
 TEST_CASE("shipped scenes are listed and are found by name") {
   const Outcome list = run_pabd({"scenes"});
   CHECK(list.exit_code == 0);

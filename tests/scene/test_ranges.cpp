@@ -97,4 +97,25 @@ TEST_CASE("the dynamic friction is told how large it may be", "[scene]") {
                 {"/contact/friction", "a coefficient from 0 to 100, or an object"});
 }
 
+TEST_CASE("a number with a unit is told the number to write", "[scene]") {
+  for (const auto& [set, write] : {std::pair{"contact.d_hat=5mm", "(m), got the text \"5mm\"; write 0.005 "},
+                                   {"contact.d_hat=0.3 mm", "; write 0.0003 "},
+                                   {"contact.kappa=2 kJ", "(J), got the text \"2 kJ\"; write 2000 "},
+                                   {"time_step=20ms", "(s), got the text \"20ms\"; write 0.02 "},
+                                   {"joints_default.d_hat=1 cm", "; write 0.01 "},
+                                   {"duration=2min", "(s), got the text \"2min\"; write 120 "},
+                                   {"bodies.0.density=1000 kg/m³", "; write 1000 "}}) {
+    CAPTURE(set);
+    check_refused(with_body(R"("gravity": [0, -9.81, 0])"), {write}, {set});
+  }
+  check_refused(with_body(R"("contact": { "d_hat": "5 mm" })"), {"/contact/d_hat", "; write 0.005"});
+  // Another unit is none of it.
+  try {
+    parse(with_body(R"("contact": { "d_hat": "5 kg" })"));
+    FAIL("it was taken");
+  } catch (const Error& error) {
+    CHECK_THAT(error.what(), Catch::Contains("(m), got the text \"5 kg\"") && !Catch::Contains("write"));
+  }
+}
+
 }  // namespace pabd::test_ranges

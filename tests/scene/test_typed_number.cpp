@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // A unit that is typed is the one that is taken, or the text is refused; it is never dropped.
-#include "app/gui/number_input.h"
+#include "sim/scene/typed_number.h"
 
 #include <catch2/catch.hpp>
 

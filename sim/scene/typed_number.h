@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: MIT
+// Numbers as people type them: with a unit behind them.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace pabd {
+
+// What was typed where a number of that unit is expected, as --set takes it: "5 cm" in m is "0.05", "5 m" and "5" are "5",
+// "auto 12.5 J" is "auto". What is not of that unit stays as it was typed.
+std::string typed_number(std::string_view text, std::string_view unit);
+
+// The number that the whole text is, if it is one.
+std::optional<double> number_of_text(const std::string& text);
+
+// For a message that refuses a text where a number of that unit is expected: "; write 0.005". Empty where the text is no
+// number with such a unit, or with none.
+std::string number_to_write(std::string_view text, std::string_view unit);
+
+}  // namespace pabd
