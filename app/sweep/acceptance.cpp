@@ -5,20 +5,28 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 
 #include "sim/body/model.h"
 #include "sim/body/shape.h"
+#include "sim/scene/reader.h"
 
 namespace pabd {
 namespace {
 
-// Parts of the smallest movable body's inner radius; an overlap or gap of a joint is visible from there on.
-constexpr double kMostOverlap = 0.1, kMostJointError = 0.1;
-constexpr double kMostGain = 0.05;      // of the energy that moved, plus
-constexpr double kRounding = 1e-6;      // of the largest energy: rounding, where nothing moves
-constexpr double kMostUnsolved = 0.02;  // of the steps
+constexpr double kRounding = 1e-6;  // of the largest energy: where nothing moves
+
+struct LimitRow {
+  std::string_view key;
+  double AcceptanceLimits::*member;
+  double most;
+};
+constexpr LimitRow kLimitRows[] = {{"overlap", &AcceptanceLimits::overlap, 1000},
+                                   {"drift", &AcceptanceLimits::drift, 1000},
+                                   {"energy", &AcceptanceLimits::energy, 1000},
+                                   {"unsolved", &AcceptanceLimits::unsolved, 1}};
 
 }  // namespace
 
@@ -46,21 +54,53 @@ void Acceptance::add(const StepSummary& step, double gained, bool asked_to_conve
   if (step.left_pairs > 0) ++crowded_;
 }
 
-std::string Acceptance::faults() const {
+std::span<const std::string_view> limit_keys() {
+  static const auto keys = [] {
+    std::array<std::string_view, std::size(kLimitRows)> out;
+    std::transform(std::begin(kLimitRows), std::end(kLimitRows), out.begin(),
+                   [](const LimitRow& l) { return l.key; });
+    return out;
+  }();
+  return keys;
+}
+
+AcceptanceLimits read_limits(const Node& node) {
+  const ObjectReader object(node, limit_keys());
+  AcceptanceLimits out;
+  for (const LimitRow& limit : kLimitRows)
+    out.*limit.member = object.number(limit.key, {0, limit.most}, out.*limit.member);
+  return out;
+}
+
+nlohmann::ordered_json to_json(const AcceptanceLimits& limits) {
+  nlohmann::ordered_json out;
+  for (const LimitRow& limit : kLimitRows) out[std::string(limit.key)] = limits.*limit.member;
+  return out;
+}
+
+std::string in_words(const AcceptanceLimits& limits) {
+  return fmt::format(
+      "Acceptable: overlap up to {:g} and gaps of joints up to {:g} of the smallest movable body's inner "
+      "radius, energy from nowhere up to {:g} of what moved, unsolved steps up to {:g} of all, no crowd "
+      "looked at in part only.",
+      limits.overlap, limits.drift, limits.energy, limits.unsolved);
+}
+
+std::string Acceptance::faults(const AcceptanceLimits& limits) const {
   std::string out;
   const auto add = [&](bool is, const std::string& text) {
     if (is) out += (out.empty() ? "" : ", ") + text;
   };
   const auto steps = static_cast<double>(steps_);
-  add(overlap_ > kMostOverlap * size_,
-      fmt::format("bodies overlap by {:.3g} m, more than a tenth of the smallest one's radius ({:.3g} m)",
-                  overlap_, size_));
-  add(joint_error_ > kMostJointError * size_,
-      fmt::format("a joint parts by {:.3g} m, more than a tenth of the smallest body's radius ({:.3g} m)",
-                  joint_error_, size_));
-  add(gained_ > kMostGain * moved_ + kRounding * whole_,
+  add(overlap_ > limits.overlap * size_,
+      fmt::format("bodies overlap by {:.3g} m, more than {:g} of the smallest one's radius ({:.3g} m)",
+                  overlap_, limits.overlap, size_));
+  add(joint_error_ > limits.drift * size_,
+      fmt::format("a joint parts by {:.3g} m, more than {:g} of the smallest body's radius ({:.3g} m)",
+                  joint_error_, limits.drift, size_));
+  add(gained_ > limits.energy * moved_ + kRounding * whole_,
       fmt::format("{:.3g} J of motion come from nowhere, where {:.3g} J moved", gained_, moved_));
-  add(static_cast<double>(unsolved_) > kMostUnsolved * steps,
+  add(static_cast<double>(unsolved_) > limits.unsolved * steps,
       fmt::format("{} of {} steps end unsolved", unsolved_, steps_));
   add(crowded_ > 0, fmt::format("in {} steps a crowd is looked at in part only", crowded_));
   return out;

@@ -223,6 +223,7 @@ ReadPlan read_collected_plan(const fs::path& folder, const CollectLimits& limits
       plan.set.emplace(key, value_of(value.value()));
     });
   });
+  with_member(root, "accept", [&](const Node& node) { plan.accept = read_limits(node); });
   with_member(root, "parameters", [&](const Node& node) {
     for (std::size_t i = 0; i < node.array_size(); ++i) read_entry(node.element(i), plan);
   });

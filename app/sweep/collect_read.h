@@ -4,6 +4,7 @@
 
 #include <map>
 
+#include "app/sweep/acceptance.h"
 #include "app/sweep/collect_sweep.h"
 
 namespace pabd {
@@ -31,6 +32,7 @@ struct ReadPlan {
   std::vector<Metric> metrics;
   std::map<std::string, SweptValue> set;  // set in all runs
   double combinations = 1;                // the most tasks
+  AcceptanceLimits accept;
 };
 
 // DIR/plan.json. Throws as collect_sweep does.

@@ -120,11 +120,14 @@ std::string table(const CollectedSweep& sweep, const Ranking& ranking) {
 }
 
 std::string ranking_part(const CollectedSweep& sweep, const Ranking& ranking) {
-  std::string out = "<h2>Which is best</h2>\n";
+  const bool none = ranking.compared == 0 && ranking.unacceptable > 0;
+  std::string out = none ? "<h2>None is acceptable</h2>\n" : "<h2>Which is best</h2>\n";
   const std::string command =
       ranking.front.empty() ? "" : view_command(sweep, sweep.tasks[ranking.front.front().task]);
-  out += fmt::format("<p class=\"best\">{}{}</p>\n<ul>\n", plain(ranking.sentences.back()),
-                     command.empty() ? "" : "<br><code>" + escape_markup(command) + "</code>");
+  out += fmt::format("<p class=\"{}\">{}{}</p>\n<p class=\"muted\">{}</p>\n<ul>\n", none ? "notes" : "best",
+                     plain(ranking.sentences.back()),
+                     command.empty() ? "" : "<br><code>" + escape_markup(command) + "</code>",
+                     escape_markup(sweep.accept));
   for (std::size_t i = 0; i + 1 < ranking.sentences.size(); ++i)
     out += fmt::format("<li>{}</li>\n", plain(ranking.sentences[i]));
   return out + "</ul>\n";

@@ -190,6 +190,7 @@ CollectedSweep collect_sweep(const fs::path& folder, const CollectLimits& limits
   const ReadPlan plan = read_collected_plan(folder, limits);
   sweep.scene = one_line(plan.scene);
   sweep.set = plan.set;
+  sweep.accept = in_words(plan.accept);
   const fs::path whole = fs::absolute(folder).lexically_normal();
   sweep.title = one_line((whole.has_filename() ? whole : whole.parent_path()).filename().string());
 
@@ -263,8 +264,13 @@ std::string named(const std::vector<std::string>& names, std::size_t most) {
 std::string counts_words(const CollectedSweep& sweep) {
   std::vector<std::string> parts;
   for (const SweptStatus status : kSweptStatuses) {
-    if (const std::size_t n = sweep.count(status))
-      parts.push_back(fmt::format("{} {}", n, status_word(status)));
+    const std::size_t n = sweep.count(status);
+    if (n == 0) continue;
+    const auto faulty = std::count_if(sweep.tasks.begin(), sweep.tasks.end(), [&](const SweptTask& task) {
+      return task.status == status && !task.faults.empty();
+    });
+    parts.push_back(fmt::format("{} {}{}", n, status_word(status),
+                                faulty > 0 ? fmt::format(" ({} not acceptable)", faulty) : ""));
   }
   return counted(sweep.tasks.size(), "task") + (parts.empty() ? "" : ": " + named(parts, parts.size()));
 }

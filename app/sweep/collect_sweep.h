@@ -73,6 +73,7 @@ struct CollectedSweep {
   std::string title;                               // the name of the folder
   std::string scene;                               // as the plan names it; may be empty
   std::map<std::string, SweptValue> set;           // what the plan sets in all runs
+  std::string accept;                              // what is acceptable, in words
   std::vector<SweptQuantity> parameters, metrics;  // in the plan's order, then by name
   std::vector<SweptTask> tasks;                    // by index, then hash
   std::vector<std::string> notes;                  // a line each: missing, unexpected or damaged files
@@ -102,7 +103,7 @@ std::vector<std::string> settings_of(const CollectedSweep& sweep, const SweptTas
 // "a, b, c and 4 more", after `most` names.
 std::string named(const std::vector<std::string>& names, std::size_t most);
 
-// "20 tasks: 17 done, 2 diverged and 1 refused".
+// "20 tasks: 17 done (3 not acceptable), 2 diverged and 1 refused".
 std::string counts_words(const CollectedSweep& sweep);
 
 // A number with its unit, for people: "1.2·10⁻⁵ m".

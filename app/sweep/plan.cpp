@@ -22,7 +22,8 @@ namespace {
 using Key = std::string_view;
 constexpr std::array kPlan = {Key("$schema"),     Key("format"), Key("version"),   Key("name"),
                               Key("description"), Key("scene"),  Key("set"),       Key("parameters"),
-                              Key("metrics"),     Key("stop"),   Key("reference"), Key("picture")};
+                              Key("metrics"),     Key("stop"),   Key("reference"), Key("accept"),
+                              Key("picture")};
 constexpr std::array kMetric = {Key("name"), Key("metric"), Key("at"), Key("take")};
 constexpr std::array kStop = {Key("time"), Key("steps"), Key("when")};
 constexpr std::array kWhen = {Key("at"), Key("below"), Key("above"), Key("for")};
@@ -158,6 +159,7 @@ std::string measures_of(const SweepPlan& plan) {
                             {"below", when->below},
                             {"bound", canonical(when->bound)},
                             {"for", canonical(when->hold)}};
+  if (plan.accept != AcceptanceLimits{}) json["accept"] = to_json(plan.accept);
   return json.dump();
 }
 
@@ -211,6 +213,7 @@ SweepPlan parse_plan(const std::string& text, const std::string& source, const f
   if (reader.has("reference")) plan.reference = read_values(reader, "reference");
   plan.metrics = read_metrics(reader);
   plan.stop = read_stop(reader);
+  if (const auto accept = reader.find("accept")) plan.accept = read_limits(*accept);
   plan.picture = reader.boolean("picture", true);
   plan.measures = measures_of(plan);
 
@@ -233,7 +236,9 @@ std::vector<std::string> overrides_of(const KeyValues& values) {
 
 std::vector<PlanObjectKeys> plan_keys() {
   auto out = group_keys();
-  out.insert(out.end(), {{"plan", kPlan}, {"metric", kMetric}, {"stop", kStop}, {"when", kWhen}});
+  out.insert(
+      out.end(),
+      {{"plan", kPlan}, {"metric", kMetric}, {"stop", kStop}, {"when", kWhen}, {"accept", limit_keys()}});
   return out;
 }
 

@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "app/sweep/acceptance.h"
 #include "app/sweep/metrics.h"
 #include "sim/scene/document.h"
 #include "sim/scene/scene.h"
@@ -50,6 +51,7 @@ struct SweepPlan {
   std::vector<SweepMetric> metrics;
   StopRule stop;
   std::optional<KeyValues> reference;
+  AcceptanceLimits accept;
   bool picture = true;
   std::string measures;  // part of the hash of a task, beside scene and parameters
 };

@@ -90,7 +90,7 @@ class TaskRun {
     TaskResult out;
     out.status = diverged_ ? "diverged" : "done";
     if (!diverged_)
-      out.faults = acceptance_.faults();
+      out.faults = acceptance_.faults(plan_.accept);
     else
       out.why = fmt::format("the state left all bounds at step {} (t = {:.6g} s)", so_far_.steps + 1,
                             session_.state().time + session_.params().h);

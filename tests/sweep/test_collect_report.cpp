@@ -68,6 +68,31 @@ TEST_CASE("the report needs nothing else, and nothing of a sweep is markup in it
   CHECK(html.find(base64(read_bytes(out / "pareto.svg"))) != std::string::npos);
 }
 
+TEST_CASE("the report says what is acceptable, and in its first heading where nothing is") {
+  for (const bool none : {false, true}) {
+    const SweptFolder folder(R"({"scene": "two_boxes", "accept": {"overlap": 0.3, "unsolved": 0.5}})");
+    for (int i = 0; i < 2; ++i)
+      folder.add({.index = i,
+                  .parameters = {{"contact.N", std::to_string(i + 1)}},
+                  .faults = none || i == 1 ? "bodies overlap by 1.22 m" : "",
+                  .metrics = {{"penetration", "1"}}});
+    const TempFolder out;
+    write_collection(collect_sweep(folder.path()), out.path(), {});
+    const std::string html = read_bytes(out / "report.html");
+    const std::string heading = html.substr(html.find("<h2>"));
+    CHECK(heading.starts_with(none ? "<h2>None is acceptable</h2>" : "<h2>Which is best</h2>"));
+    CHECK(count(html, none ? "2 tasks: 2 done (2 not acceptable)" : "2 tasks: 2 done (1 not acceptable)") ==
+          1);
+    CHECK(count(html, "<p class=\"best\">") == (none ? 0 : 1));
+    CHECK(
+        count(
+            html,
+            "Acceptable: overlap up to 0.3 and gaps of joints up to 0.1 of the smallest movable body&#39;s "
+            "inner radius, energy from nowhere up to 0.05 of what moved, unsolved steps up to 0.5 of all") ==
+        1);
+  }
+}
+
 TEST_CASE("a collection has its files under names of their own, and replaces none unasked") {
   const SweptFolder folder;
   for (int i = 0; i < 4; ++i) {

@@ -85,10 +85,11 @@ TEST_CASE("the hash of a task tells what it computes, not how the plan was writt
             .at(0)
             .hash == one);
   CHECK(tasks(R"("parameters": [{"key": "contact.N", "from": 3, "to": 5, "count": 3}])").at(0).hash == one);
+  CHECK(tasks(R"("accept": {"drift": 0.1}, )" + kList).at(0).hash == one);
   CHECK(tasks(R"("parameters": [{"key": "contact.N", "values": [1, 3]}])").at(1).hash == one);
   for (const char* other :
        {R"("set": {"time_step": 0.01})", R"("stop": {"steps": 3})", R"("metrics": ["drift"])",
-        R"("reference": {"time_step": 0.001}, "metrics": ["distance"])"})
+        R"("accept": {"overlap": 0.2})", R"("reference": {"time_step": 0.001}, "metrics": ["distance"])"})
     CHECK(tasks(std::string(other) + ", " + kList).at(0).hash != one);
   CHECK(tasks(R"("parameters": [{"key": "contact.N", "values": [4]}])").at(0).hash != one);
   const SweepPlan plan = plan_of(kList);
@@ -220,6 +221,8 @@ TEST_CASE("a plan that does not fit is refused at its place") {
   check_refused(R"("stop": {"time": 1, "steps": 2}, )" + kList, {"/stop"});
   check_refused(R"("stop": {"time": -1}, )" + kList, {"/stop/time"});
   check_refused(R"("stop": {"when": {"at": "/kinetic"}}, )" + kList, {"/stop/when", "below"});
+  check_refused(R"("accept": {"unsolved": 1.5}, )" + kList, {"/accept/unsolved", "from 0 to 1"});
+  check_refused(R"("accept": {"overlaps": 1}, )" + kList, {"/accept/overlaps", "\"overlap\""});
   CHECK_THROWS_AS(parse_plan(R"({"format": "pabd-sweep", "version": 2})", "p", "/", shipped), Error);
   CHECK_THROWS_AS(parse_plan("[1, 2", "p", "/", shipped), Error);
   CHECK_THROWS_AS(parse_plan(R"({"format": "pabd-sweep", "version": 1, "scene": "none", )" + kList + "}", "p",

@@ -157,6 +157,31 @@ TEST_CASE("what nobody would take is told") {
       Catch::Contains(" of 120 steps end unsolved"));
 }
 
+TEST_CASE("the plan says what is acceptable") {
+  const auto faults = [](const std::string& accept) {
+    const SweepPlan plan =
+        plan_of("two_boxes", R"("stop": {"steps": 120}, "accept": {)" + accept +
+                                 R"(}, "parameters": [{"key": "contact.N", "values": [3]}])");
+    return run_task(plan, tasks_of(plan).at(0), "/nowhere/checkpoint.json", {}).value().faults;
+  };
+  // They overlap by 0.0385 m; the inner radius of a box of 1 m is 0.5 m.
+  CHECK(faults("").empty());
+  CHECK(faults(R"("overlap": 0.08)").empty());
+  CHECK(faults(R"("overlap": 0.07)") ==
+        "bodies overlap by 0.0385 m, more than 0.07 of the smallest one's radius (0.5 m)");
+  Acceptance run{Model{}};
+  StepSummary step;
+  step.status = StepStatus::converged;
+  step.potential = 100;
+  run.add(step, 0, true);
+  step.kinetic = 10;
+  step.status = StepStatus::iteration_limit;
+  run.add(step, 3, true);
+  CHECK(run.faults({.energy = 0.31, .unsolved = 0.5}).empty());
+  CHECK(run.faults({.energy = 0.29, .unsolved = 0.5}) == "3 J of motion come from nowhere, where 10 J moved");
+  CHECK(run.faults({.energy = 0.31, .unsolved = 0.49}) == "1 of 2 steps end unsolved");
+}
+
 TEST_CASE("energy that is made counts beside what moved, and rounding where nothing moves does not") {
   const auto faults = [](double kinetic, double gained) {
     Acceptance run{Model{}};
