@@ -16,6 +16,7 @@ namespace {
 
 constexpr std::size_t kNamedEquals = 4;  // equal tasks that are named
 constexpr const char* kStepTime = "step_time";
+constexpr double kUnmeasured = 0.1;  // noise of a time, of it, where it was not measured
 
 std::string number_of(const CollectedSweep& sweep, std::size_t task) {
   const SweptTask& one = sweep.tasks[task];
@@ -38,6 +39,34 @@ std::vector<Measured> sorted(const CollectedSweep& sweep, const Criterion& crite
   return out;
 }
 
+// ms
+double noise_of(const SweptTask& task, double time) {
+  return task.timing && task.timing->noise ? *task.timing->noise : kUnmeasured * time;
+}
+
+// Sizes to be compared. Times are not reproducible: those that exceed the least of them by less than the noise of both
+// count as that one, then those that exceed the least of the others, and so on.
+std::vector<double> compared_sizes(const CollectedSweep& sweep, const Criterion& criterion,
+                                   const std::vector<std::size_t>& tasks) {
+  std::vector<double> sizes;
+  for (const std::size_t task : tasks) sizes.push_back(*criterion.sizes[task]);
+  if (criterion.quantity.key != kStepTime) return sizes;
+  std::vector<std::size_t> order(tasks.size());
+  std::iota(order.begin(), order.end(), std::size_t{0});
+  std::stable_sort(order.begin(), order.end(),
+                   [&](std::size_t a, std::size_t b) { return sizes[a] < sizes[b]; });
+  double least = 0, noise = -1;
+  for (const std::size_t i : order) {
+    const double own = noise_of(sweep.tasks[tasks[i]], sizes[i]);
+    if (noise < 0 || sizes[i] - least > std::hypot(own, noise)) {
+      least = sizes[i];
+      noise = own;
+    }
+    sizes[i] = least;
+  }
+  return sizes;
+}
+
 double median(const std::vector<Measured>& sorted) {
   const std::size_t n = sorted.size();
   return n % 2 == 1 ? sorted[n / 2].size
@@ -54,20 +83,24 @@ std::string best_sentence(const CollectedSweep& sweep, const Criterion& criterio
     return fmt::format("No {}task tells its {}.", told ? "acceptable " : "", name);
   }
   const auto words = [&](double size) { return in_words(size, criterion.quantity.unit); };
+  std::vector<std::size_t> tasks;
+  for (const Measured& one : all) tasks.push_back(one.task);
+  const std::vector<double> compared = compared_sizes(sweep, criterion, tasks);
   const double least = all.front().size, most = all.back().size;
-  if (least == most) {
-    return all.size() == 1
-               ? fmt::format("Least {}: {}, the only one that tells it, with {}.", name,
-                             task_words(sweep, all[0].task), words(least))
-               : fmt::format("All {} tasks have the same {}, {}.", all.size(), name, words(least));
-  }
+  const char* noise = criterion.quantity.key == kStepTime ? " within the noise" : "";
+  if (all.size() == 1)
+    return fmt::format("Least {}: {}, the only one that tells it, with {}.", name,
+                       task_words(sweep, all[0].task), words(least));
+  if (compared.front() == compared.back())
+    return fmt::format("All {} tasks have the same {}{}, {}.", all.size(), name, noise,
+                       least == most ? words(least) : words(least) + " to " + words(most));
   std::vector<std::string> best;
-  for (const Measured& one : all) {
-    if (one.size == least) best.push_back(number_of(sweep, one.task));
+  for (std::size_t i = 0; i < all.size(); ++i) {
+    if (compared[i] == least) best.push_back(number_of(sweep, all[i].task));
   }
   const std::string who = best.size() == 1
                               ? task_words(sweep, all[0].task)
-                              : fmt::format("tasks {}, which are equal,", named(best, kNamedEquals));
+                              : fmt::format("tasks {}, which are equal{},", named(best, kNamedEquals), noise);
   return fmt::format("Least {}: {} with {}; the median of {} is {}, the most is {} of task {}.", name, who,
                      words(least), all.size(), words(median(all)), words(most),
                      number_of(sweep, all.back().task));
@@ -96,18 +129,8 @@ std::vector<std::size_t> comparable(const CollectedSweep& sweep, const Ranking& 
   return tasks;
 }
 
-// Times are not reproducible: they are rounded to two digits, and to 0.05 ms at least.
-double compared_size(const Criterion& criterion, std::size_t task) {
-  const double size = *criterion.sizes[task];
-  if (criterion.quantity.key != kStepTime) return size;
-  const double time = std::max(size, 0.05), unit = std::pow(10, std::floor(std::log10(time)) - 1);
-  return std::round(time / unit) * unit;
-}
-
 // 1 + how many are smaller.
-std::vector<std::size_t> ranks_of(const Criterion& criterion, const std::vector<std::size_t>& tasks) {
-  std::vector<double> sizes;
-  for (const std::size_t task : tasks) sizes.push_back(compared_size(criterion, task));
+std::vector<std::size_t> ranks_of(const std::vector<double>& sizes) {
   std::vector<double> order = sizes;
   std::sort(order.begin(), order.end());
   std::vector<std::size_t> ranks;
@@ -239,12 +262,13 @@ Ranking rank(const CollectedSweep& sweep) {
   ranking.compared = tasks.size();
   ranking.unacceptable = static_cast<std::size_t>(std::count_if(
       sweep.tasks.begin(), sweep.tasks.end(), [](const SweptTask& task) { return !task.faults.empty(); }));
-  std::vector<double> points;
-  for (const std::size_t task : tasks) {
-    for (const std::size_t c : ranking.counted) points.push_back(compared_size(ranking.criteria[c], task));
-  }
+  std::vector<double> points(tasks.size() * ranking.counted.size());
   std::vector<std::vector<std::size_t>> ranks;
-  for (const std::size_t c : ranking.counted) ranks.push_back(ranks_of(ranking.criteria[c], tasks));
+  for (std::size_t c = 0; c < ranking.counted.size(); ++c) {
+    const auto sizes = compared_sizes(sweep, ranking.criteria[ranking.counted[c]], tasks);
+    for (std::size_t i = 0; i < tasks.size(); ++i) points[i * ranking.counted.size() + c] = sizes[i];
+    ranks.push_back(ranks_of(sizes));
+  }
   for (const std::size_t i : pareto_front(points, ranking.counted.size())) {
     Ranked one{tasks[i], {}, 0};
     for (const auto& column : ranks) {

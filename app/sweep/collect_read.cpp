@@ -156,6 +156,7 @@ void read_timing(const fs::path& folder, const CollectLimits& limits, SweptTask&
   timing.seconds = file.at("seconds").number(positive);
   if (file.has("threads")) timing.threads = file.at("threads").integer(0, 1 << 20);
   if (file.has("step_time")) timing.step_time = file.at("step_time").number(positive);
+  if (file.has("step_time_noise")) timing.noise = file.at("step_time_noise").number(positive);
   task.timing = timing;
 }
 

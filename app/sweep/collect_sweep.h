@@ -4,7 +4,7 @@
 //   DIR/plan.json                     the plan: scene, and the order of parameters and metrics
 //   DIR/tasks/HASH/task.json          {"index", "hash", "parameters"}
 //   DIR/tasks/HASH/result.json        {"index", "hash", "status", "why", "faults", "metrics", "step", "time"}
-//   DIR/tasks/HASH/timing.json        {"seconds", "threads", "step_time"}; may be absent
+//   DIR/tasks/HASH/timing.json        {"seconds", "threads", "step_time", "step_time_noise"}; may be absent
 //   DIR/tasks/HASH/end.json           the state at the end; may be absent, and is not read here
 //   DIR/tasks/HASH/end.png            what it looked like at the end; may be absent
 //   DIR/tasks/.HASH.partial/          a task that has begun
@@ -42,6 +42,7 @@ struct SweptTiming {
   double seconds = 0;  // wall clock of the task
   std::int64_t threads = 0;
   std::optional<double> step_time;  // ms
+  std::optional<double> noise;      // of it; ms
 };
 
 struct SweptTask {

@@ -40,7 +40,15 @@ struct SoFar {
   Taken times;                   // ms
   std::vector<Taken> taken;      // one per metric
   double since = -1;             // when the stop condition began to hold, s; negative: it does not
-  NLOHMANN_DEFINE_TYPE_INTRUSIVE(SoFar, steps, seconds, work, times, taken, since)
+  double last = 0, jumps = 0;    // ms; ms², sum over (time of a step − time of the one before)²
+  NLOHMANN_DEFINE_TYPE_INTRUSIVE(SoFar, steps, seconds, work, times, taken, since, last, jumps)
+
+  // Twice the standard error of the mean time, in which what changes slowly has no part (J. von Neumann, The mean square
+  // successive difference, 1941); ms.
+  double noise() const {
+    const auto n = static_cast<double>(steps);
+    return 2 * std::sqrt(jumps / (2 * (n - 1) * n));
+  }
 };
 
 // A run that can be interrupted and resumed.
@@ -80,6 +88,8 @@ class TaskRun {
     ++so_far_.steps;
     so_far_.seconds += 1e-3 * ms;
     so_far_.times.add(ms);
+    if (so_far_.steps > 1) so_far_.jumps += (ms - so_far_.last) * (ms - so_far_.last);
+    so_far_.last = ms;
     measure(report, ms);
     watch(report);
     return true;
@@ -102,6 +112,7 @@ class TaskRun {
     }
     if (!out.times.contains("step_time"))
       out.times["step_time"] = so_far_.times.value(Take::mean).value_or(0);
+    if (so_far_.steps > 1) out.times["step_time_noise"] = so_far_.noise();
     out.step = so_far_.steps;
     out.time = session_.state().time;
     out.seconds = so_far_.seconds;

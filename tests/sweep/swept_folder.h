@@ -21,8 +21,8 @@ struct FakeTask {
   std::string status = "done";
   std::string why = {};
   std::string faults = {};
-  std::map<std::string, std::string> metrics = {};  // name → JSON
-  std::optional<double> step_time = {};             // ms
+  std::map<std::string, std::string> metrics = {};   // name → JSON
+  std::optional<double> step_time = {}, noise = {};  // ms
   std::optional<Image> picture = {};
 };
 
@@ -77,7 +77,9 @@ class SweptFolder {
     if (task.step_time) {
       std::ostringstream timing;
       timing << "{\"seconds\":" << 0.06 * *task.step_time
-             << ",\"threads\":1,\"step_time\":" << *task.step_time << "}";
+             << ",\"threads\":1,\"step_time\":" << *task.step_time;
+      if (task.noise) timing << ",\"step_time_noise\":" << *task.noise;
+      timing << "}";
       write_bytes(folder / "timing.json", timing.str());
     }
     if (task.picture) write_png(folder / "end.png", *task.picture);

@@ -2,6 +2,7 @@
 // The ranking against a case computed by hand, the front against every pair of points.
 #include <catch2/catch.hpp>
 #include <cmath>
+#include <map>
 
 #include "app/sweep/collect_plots.h"
 #include "app/sweep/collect_ranking.h"
@@ -117,8 +118,8 @@ TEST_CASE("what nobody would take is best in nothing, and noise decides nothing"
   CHECK(ranking.front[0].ranks == std::vector<std::size_t>{1, 1});
   CHECK(ranking.front[1].ranks == std::vector<std::size_t>{1, 1});
   CHECK(ranking.sentences[0] == "All 2 tasks have the same penetration, 0.002 m.");
-  CHECK_THAT(ranking.sentences[1], Catch::StartsWith("Least time a step: task 2 (κ = 3 J) with 0.0201 ms") &&
-                                       Catch::EndsWith("the most is 0.0204 ms of task 1."));
+  CHECK(ranking.sentences[1] ==
+        "All 2 tasks have the same time a step within the noise, 0.0201 ms to 0.0204 ms.");
   CHECK_THAT(ranking.sentences.back(), Catch::StartsWith("On the whole task 1 (κ = 2 J) is best") &&
                                            Catch::EndsWith("2 are not compared: the column \"why\" says what "
                                                            "makes them unacceptable."));
@@ -131,6 +132,33 @@ TEST_CASE("what nobody would take is best in nothing, and noise decides nothing"
   CHECK(none.sentences[0] == "No acceptable task tells its penetration.");
   CHECK(none.sentences[1] == "No acceptable task tells its time a step.");
   CHECK(none.sentences.back() == "None is acceptable: of task 0 (κ = 1 J), bodies overlap by 1.22 m.");
+}
+
+TEST_CASE("times are equal within the noise of both, and no farther") {
+  // task   time a step   noise     from the least of its equals        rank
+  //   0    1 ms          0.3                                           1
+  //   1    1.4 ms        0.4       0.4 < hypot(0.3, 0.4) = 0.5         1
+  //   2    1.51 ms       0.4       0.51 > 0.5                          3
+  //   3    1.6 ms        0.01      0.09 < 0.4, although 0.6 from 0     3
+  //   4    3 ms                    1.4 > hypot(0.3, 0.4)               5
+  //   5    3.4 ms                  0.4 < hypot(0.3, 0.34) = 0.45       5
+  const double time[] = {1, 1.4, 1.51, 1.6, 3, 3.4};
+  const std::optional<double> noise[] = {0.3, 0.4, 0.4, 0.01, {}, {}};
+  const SweptFolder folder;
+  for (int i = 0; i < 6; ++i)
+    folder.add({.index = i,
+                .parameters = {{"contact.kappa", std::to_string(i + 1)}},
+                .metrics = {{"penetration", std::to_string(6 - i)}},
+                .step_time = time[i],
+                .noise = noise[i]});
+  const Ranking ranking = rank(collect_sweep(folder.path()));
+  std::map<std::size_t, std::size_t> rank_of;
+  for (const Ranked& one : ranking.front) rank_of[one.task] = one.ranks[1];
+  // Of equal times the one with less penetration is on the front.
+  CHECK(rank_of == std::map<std::size_t, std::size_t>{{1, 1}, {3, 3}, {5, 5}});
+  CHECK_THAT(
+      ranking.sentences[1],
+      Catch::StartsWith("Least time a step: tasks 0 and 1, which are equal within the noise, with 1 ms; "));
 }
 
 TEST_CASE("of two costs one counts") {

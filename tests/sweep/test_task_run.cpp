@@ -68,6 +68,7 @@ TEST_CASE("metrics are those of the steps") {
   CHECK(result->metrics["drift"].is_null());  // no joints
   CHECK_FALSE(result->metrics.contains("step_time"));
   CHECK(result->times["step_time"].get<double>() > 0);
+  CHECK(result->times["step_time_noise"].get<double>() > 0);
   CHECK(state_hash(result->end) == state_hash(session.state()));
 }
 
