@@ -8,6 +8,7 @@
 #include "app/cli/device_option.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/run_notes.h"
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
 #include "app/export/exporter.h"
@@ -42,7 +43,8 @@ int segments_of(const std::string& quality) { return quality == "draft" ? 16 : q
 // Where the frames come from, and how many there are.
 struct Frames {
   std::unique_ptr<FrameSource> source;
-  SessionSource* live = nullptr;  // the same, where it simulates
+  SessionSource* live = nullptr;    // the same, where it simulates
+  std::shared_ptr<RunNotes> notes;  // of the same
   std::int64_t count = 0;
   double fps = kExportFps;
   FrameView start;
@@ -70,7 +72,10 @@ Frames live_frames(const ExportOptions& options, Session session, bool arrays) {
   session.report_joints(arrays);
   out.device_words = prepare_on_device(options.device, options.scene, session, wanted).words();
   out.start = session.view();
-  auto source = std::make_unique<SessionSource>(std::move(session), out.count, out.fps);
+  out.notes = std::make_shared<RunNotes>(session.model(), session.params());
+  auto source = std::make_unique<SessionSource>(
+      std::move(session), out.count, out.fps,
+      [notes = out.notes](const StepSummary& step, bool) { notes->add(step); });
   out.live = source.get();
   out.source = std::move(source);
   return out;
@@ -144,6 +149,7 @@ int export_run(const ExportOptions& options) {
   if (!options.common.quiet) {
     write_stderr(written_text(out, done, frames.start.model->size(), frames.fps));
     if (!frames.device_words.empty()) write_stderr(frames.device_words.substr(4) + "\n");
+    if (frames.notes) write_notes(frames.notes->lines());
   }
   if (frames.live)
     if (const auto& diverged = frames.live->diverged()) throw diverged_error(options.scene, *diverged);

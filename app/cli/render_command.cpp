@@ -9,6 +9,7 @@
 #include "app/cli/device_option.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/run_notes.h"
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
 #include "app/frames/ab_painter.h"
@@ -235,10 +236,14 @@ int render(const RenderOptions& asked) {
   std::optional<Progress> progress(std::in_place, "frame", range.count, !options.common.quiet);
   const auto show = [&](int done, const StepSummary& step) { progress->update(done, step); };
   const RenderWatch watch{[&] { return interrupt.requested(); }, show};
+  RunNotes notes(a.model(), a.params());
+  std::optional<RunNotes> notes_b;
+  if (b) notes_b.emplace(b->model(), b->params());
+  const auto stepped = [&](const StepSummary& step, bool of_b) { (of_b ? *notes_b : notes).add(step); };
   std::optional<DeviceFilm> film;
   if (filmed) {
     try {
-      film.emplace(*context, a, range, overlay.contacts, show);
+      film.emplace(*context, a, range, overlay.contacts, show, stepped);
     } catch (const Error& error) {  // solver and pictures do not fit together
       if (error.kind() != ErrorKind::no_context) throw;
       solve_by(device, backend, a, nullptr);
@@ -254,7 +259,7 @@ int render(const RenderOptions& asked) {
     FrameRange seen = range;
     if (options.resume && overlay.remembers()) seen.first = 0;
     LiveSource source(std::move(a), std::move(b), seen, show,
-                      TrailRecorder(std::move(trail_points), options.trail_time));
+                      TrailRecorder(std::move(trail_points), options.trail_time), stepped);
     result = render_frames(source, painter, sink, watch, range.first);
     diverged = source.diverged();
   }
@@ -264,6 +269,9 @@ int render(const RenderOptions& asked) {
     write_stderr(fmt::format("{:.1f} s (simulating {:.1f}, drawing {:.1f}, encoding {:.1f}) · {} · {}{}\n",
                              result.times.total, result.times.simulate, result.times.draw,
                              result.times.encode, context->name(), painter.gl_renderer(), device.words()));
+    write_notes(notes.lines());
+    if (notes_b)
+      for (const std::string& line : notes_b->lines()) write_notes({options.ab + ": " + line});
   }
   if (diverged)
     throw diverged_error(options.scene + (diverged->in_b ? " with " + options.ab : ""), diverged->step);

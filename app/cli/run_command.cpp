@@ -11,12 +11,14 @@
 #include "app/cli/help_text.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/run_notes.h"
 #include "app/cli/run_summary.h"
 #include "app/cli/scene_lookup.h"
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
 #include "app/session/step_at_time.h"
 #include "sim/base/error.h"
+#include "sim/scene/thickness.h"
 #include "sim/solver/step_summary.h"
 #include "sim/trace/trace.h"
 
@@ -119,6 +121,7 @@ int run(const RunOptions& options) {
   wanted.report_joints = !options.joints.empty();
   facts.device = prepare_on_device(options.device, options.scene, session, wanted);
   RunOutputs outputs(options, inputs);
+  RunNotes notes(session.model(), session.params());
   session.record_iterations(!options.iterations.empty());
   session.report_joints(!options.joints.empty());
 
@@ -136,6 +139,7 @@ int run(const RunOptions& options) {
       diverged = report.status == StepStatus::non_finite;
       facts.worst.add(report);
       facts.statistics.add(report);
+      notes.add(report);
       progress.update(++done, report);
     }
   }
@@ -144,11 +148,15 @@ int run(const RunOptions& options) {
   facts.status = diverged ? "diverged" : done < steps ? "interrupted" : "done";
   session.complete_state();
   outputs.finish(session);
+  const std::vector<std::string> told = notes.lines();
+  if (const auto note = thickness_note(session.scene())) facts.notes.push_back(note->text);
+  facts.notes.insert(facts.notes.end(), told.begin(), told.end());
   if (options.json) {
     write_stdout(json_text(summary_json(session, facts)));
   } else if (!options.common.quiet) {
     write_stderr(summary_text(session, facts));
   }
+  if (!options.common.quiet) write_notes(told);
   if (options.profile)
     write_stdout(profile_text(facts.statistics, {facts.seconds, session.model().size(), facts.threads}));
   if (diverged) throw diverged_error(options.scene, session.report());

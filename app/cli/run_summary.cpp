@@ -117,7 +117,8 @@ nlohmann::ordered_json summary_json(const Session& session, const RunFacts& fact
           {"halved_steps", worst.halved},
           {"halvings", worst.halvings},
           {"kinetic", kinetic_energy(session.model(), session.state())},
-          {"state", state_hash(session.state())}};
+          {"state", state_hash(session.state())},
+          {"notes", facts.notes}};
 }
 
 }  // namespace pabd::cli

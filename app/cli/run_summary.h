@@ -5,6 +5,7 @@
 #include <limits>
 #include <nlohmann/json_fwd.hpp>
 #include <string>
+#include <vector>
 
 #include "app/cli/device_option.h"
 #include "app/cli/step_statistics.h"
@@ -35,6 +36,7 @@ struct RunFacts {
   DeviceChoice device;
   std::string status;  // "done", "interrupted", "diverged"
   Extremes worst;
+  std::vector<std::string> notes;  // as on standard error
   StepStatistics statistics;
 };
 

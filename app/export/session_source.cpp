@@ -8,8 +8,12 @@
 
 namespace pabd {
 
-SessionSource::SessionSource(Session session, std::int64_t count, double fps)
-    : session_(std::move(session)), count_(count), fps_(fps), first_step_(session_.state().step) {}
+SessionSource::SessionSource(Session session, std::int64_t count, double fps, Stepped stepped)
+    : session_(std::move(session)),
+      count_(count),
+      fps_(fps),
+      stepped_(std::move(stepped)),
+      first_step_(session_.state().step) {}
 
 std::optional<Frame> SessionSource::next(const Stop& stop) {
   if (next_ == count_ || diverged_) return {};
@@ -23,6 +27,7 @@ std::optional<Frame> SessionSource::next(const Stop& stop) {
       diverged_ = report.summary();
       return {};
     }
+    if (stepped_) stepped_(report, false);
   }
   return make_frame(static_cast<int>(next_++), session_.view(), {}, {});
 }

@@ -11,7 +11,7 @@ namespace pabd {
 class SessionSource : public FrameSource {
  public:
   // Frames 0 to count − 1, the first of them where the session is.
-  SessionSource(Session session, std::int64_t count, double fps);
+  SessionSource(Session session, std::int64_t count, double fps, Stepped stepped = {});
 
   std::optional<Frame> next(const Stop& stop) override;
 
@@ -22,6 +22,7 @@ class SessionSource : public FrameSource {
   Session session_;
   std::int64_t count_, next_ = 0;
   double fps_;
+  Stepped stepped_;
   std::int64_t first_step_;  // a state to continue from may be at any step
   std::optional<StepSummary> diverged_;
 };

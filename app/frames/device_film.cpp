@@ -37,16 +37,17 @@ bool DeviceFilm::shows_all(const Run& run, const OverlayChoice& overlay, const C
 }
 
 DeviceFilm::DeviceFilm(GlContext& context, const Run& start, const FrameRange& range, bool contacts,
-                       LiveSource::Skipped skipped)
-    : DeviceFilm(context, start, range, contacts, std::move(skipped),
+                       LiveSource::Skipped skipped, Stepped stepped)
+    : DeviceFilm(context, start, range, contacts, std::move(skipped), std::move(stepped),
                  body_parts(start.model(), options_of(start))) {}
 
 DeviceFilm::DeviceFilm(GlContext& context, const Run& start, const FrameRange& range, bool contacts,
-                       LiveSource::Skipped skipped, const BodyParts& parts)
+                       LiveSource::Skipped skipped, Stepped stepped, const BodyParts& parts)
     : view_(start.view()),
       range_(range),
       contacts_(contacts),
       skipped_(std::move(skipped)),
+      stepped_(std::move(stepped)),
       first_step_(view_.state->step),
       solver_(context, *view_.model, *view_.state, solver_options(contacts)),
       bodies_(context, parts, solver_.pose_buffer(), {.late_bounds = false}),
@@ -82,6 +83,7 @@ bool DeviceFilm::advance_to(std::int64_t step, const Stop& stop) {
     view_.report = {};
     static_cast<StepSummary&>(view_.report) = made;
     add_report(reports_, made);
+    if (stepped_) stepped_(made, false);
   }
   return true;
 }

@@ -17,9 +17,9 @@ class DeviceFilm : public FrameSource {
   static bool shows_all(const Run& run, const OverlayChoice& overlay, const CameraOption& camera);
 
   // Goes on from where the run is. `context`: of the painter; current in all calls, and outlives this. Precondition:
-  // shows_all(). `skipped`: as LiveSource. Throws Error(no_context) when the GPU lacks memory.
+  // shows_all(). `skipped`, `stepped`: as LiveSource. Throws Error(no_context) when the GPU lacks memory.
   DeviceFilm(GlContext& context, const Run& start, const FrameRange& range, bool contacts,
-             LiveSource::Skipped skipped = {});
+             LiveSource::Skipped skipped = {}, Stepped stepped = {});
 
   // Views of these frames have a time but no bodies; bodies() has them until the next frame is asked for.
   std::optional<Frame> next(const Stop& stop) override;
@@ -30,7 +30,7 @@ class DeviceFilm : public FrameSource {
 
  private:
   DeviceFilm(GlContext& context, const Run& start, const FrameRange& range, bool contacts,
-             LiveSource::Skipped skipped, const BodyParts& parts);
+             LiveSource::Skipped skipped, Stepped stepped, const BodyParts& parts);
   bool advance_to(std::int64_t step, const Stop& stop);
 
   FrameView view_;  // of the last frame
@@ -38,6 +38,7 @@ class DeviceFilm : public FrameSource {
   const FrameRange range_;
   const bool contacts_;
   const LiveSource::Skipped skipped_;
+  const Stepped stepped_;
   const std::int64_t first_step_;
   int next_ = 0;
   ReportList reports_;

@@ -113,10 +113,11 @@ void RunSource::measure_distance() {
 // ---- as it is made ----
 
 LiveSource::LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Skipped skipped,
-                       const TrailRecorder& trails)
+                       const TrailRecorder& trails, Stepped stepped)
     : RunSource(std::move(a), std::move(b), trails),
       range_(range),
       skipped_(std::move(skipped)),
+      stepped_(std::move(stepped)),
       first_step_(a_.run.state().step) {
   for (Shown* shown : {&a_, b_ ? &*b_ : nullptr}) {
     if (!shown) continue;
@@ -154,6 +155,7 @@ std::optional<Frame> LiveSource::next(const Stop& stop) {
 bool LiveSource::advance_to(std::int64_t step, const Stop& stop) {
   const auto made = [this](Shown& shown) {
     add_report(shown.reports, shown.run.report().summary());
+    if (stepped_) stepped_(shown.run.report(), &shown != &a_);
     if (!range_.pace.is_real_time()) shown.remember();
     shown.trails.add(shown.run.model(), shown.run.state());
   };

@@ -80,6 +80,9 @@ struct FrameRange {
   double time(int frame) const { return pace.simulated(frame / fps); }  // simulated since the first frame; s
 };
 
+// Is called after each step that was made; `of_b`: one of the second run.
+using Stepped = std::function<void(const StepSummary& step, bool of_b)>;
+
 // Frames that are simulated as they are asked for. In slow motion bodies, with their contacts, are on their way from one step
 // to the next.
 class LiveSource : public RunSource {
@@ -87,9 +90,9 @@ class LiveSource : public RunSource {
   using Skipped = std::function<void(int frames, const StepSummary& step)>;
 
   // The runs go on from where they are and need no past (kNoPast). `skipped` is called in the thread that asks for frames
-  // while frames before `range.first` are simulated. `trails`: what leaves a trail, in every step.
+  // while frames before `range.first` are simulated, `stepped` in the same. `trails`: what leaves a trail, in every step.
   LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Skipped skipped = {},
-             const TrailRecorder& trails = {});
+             const TrailRecorder& trails = {}, Stepped stepped = {});
 
   std::optional<Frame> next(const Stop& stop) override;
 
@@ -105,6 +108,7 @@ class LiveSource : public RunSource {
 
   const FrameRange range_;
   const Skipped skipped_;
+  const Stepped stepped_;
   const std::int64_t first_step_;  // a state that a run continues from may be at any step
 };
 
