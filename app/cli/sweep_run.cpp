@@ -18,6 +18,7 @@
 #include "app/cli/progress.h"
 #include "app/cli/streams.h"
 #include "app/sweep/pool.h"
+#include "app/sweep/task_folder.h"
 #include "sim/base/child_process.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
@@ -74,6 +75,20 @@ class Tally {
 };
 
 std::string no_picture_note(const std::string& why) { return "no pictures of the ends: " + why; }
+
+// Of those tasks. Empty: all are acceptable.
+std::string faults_note(const SweepWork& work, const std::vector<std::size_t>& tasks) {
+  std::size_t faulty = 0;
+  std::string first;
+  for (const std::size_t i : tasks) {
+    const std::string faults = faults_of(work.folder, work.tasks[i]);
+    if (!faults.empty() && faulty++ == 0) first = fmt::format("in task {} {}", work.tasks[i].index, faults);
+  }
+  if (faulty == 0) return "";
+  return fmt::format("{} of {} {} not acceptable: {}{}", faulty, counted(tasks.size(), "task"),
+                     faulty == 1 ? "is" : "are", first,
+                     faulty == 1 ? "" : "; 'pabd sweep collect' tells all");
+}
 
 // False: it was stopped.
 bool do_here(const SweepWork& work, const std::vector<std::size_t>& tasks, const InterruptGuard& interrupt,
@@ -171,7 +186,11 @@ int do_tasks(const SweepWork& work, const std::vector<std::size_t>& chosen) {
     }
     summary = tally.summary(before);
   }
-  if (!work.quiet) write_stderr(summary);
+  if (!work.quiet) {
+    write_stderr(summary);
+    const std::string faults = faults_note(work, open);
+    if (!faults.empty()) write_note("pabd: note: " + faults);
+  }
   if (stopped && !work.quiet) write_note("pabd: stopped, with checkpoints; the same command goes on");
   return stopped ? kCheckpointed : kDone;
 }

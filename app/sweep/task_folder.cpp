@@ -139,6 +139,13 @@ bool is_done(const fs::path& folder, const SweepTask& task) {
   return fs::exists(task_path(folder, task) / "result.json", ignored);
 }
 
+std::string faults_of(const fs::path& folder, const SweepTask& task) {
+  const auto json = nlohmann::json::parse(
+      read_if_possible(task_path(folder, task) / "result.json", kMostTaskBytes), nullptr, false);
+  const auto faults = json.is_object() ? json.find("faults") : json.end();
+  return faults != json.end() && faults->is_string() ? one_line(faults->get<std::string>()) : "";
+}
+
 std::optional<TaskFolder> TaskFolder::take(const fs::path& folder, const SweepTask& task) {
   TaskFolder out;
   out.place_ = task_path(folder, task);

@@ -19,6 +19,8 @@ void prepare_sweep_folder(const std::filesystem::path& folder, const SweepPlan& 
 
 std::filesystem::path task_path(const std::filesystem::path& folder, const SweepTask& task);
 bool is_done(const std::filesystem::path& folder, const SweepTask& task);
+// What makes the result of a task unacceptable (acceptance.h); empty: nothing, or there is no result.
+std::string faults_of(const std::filesystem::path& folder, const SweepTask& task);
 
 // A note about the tasks in `chosen` that only other versions of the program have done; empty: there are none. `tasks`:
 // tasks_of(plan, base).

@@ -103,4 +103,19 @@ TEST_CASE("of two runs in one picture each is told of") {
   CHECK(notes[0].starts_with(folder / "soft.json: bodies overlap by "));
 }
 
+TEST_CASE("a sweep ends with how many of its tasks are not acceptable") {
+  const CommandFolder folder;
+  write_text(
+      folder / "plan.json",
+      R"({ "format": "pabd-sweep", "version": 1, "scene": "two_boxes", "stop": { "steps": 60 }, "picture": false,
+                 "parameters": [ { "key": "contact.kappa", "values": [1, 2, 10000] } ] })");
+  const Outcome told = run_pabd({"sweep", folder / "plan.json", "-o", folder / "out"});
+  const std::vector<std::string> notes = notes_of(told.err);
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::StartsWith("2 of 3 tasks are not acceptable: in task 0 bodies overlap by ") &&
+                           Catch::EndsWith("; 'pabd sweep collect' tells all"));
+  CHECK(
+      run_pabd({"sweep", "collect", folder / "out"}).out.starts_with("3 tasks: 3 done (2 not acceptable)\n"));
+}
+
 }  // namespace pabd::test_cli_notes
