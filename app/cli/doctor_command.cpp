@@ -39,26 +39,15 @@ struct GlFacts {
 struct FfmpegFacts {
   bool found = false;
   std::string version;
-  bool h264 = false;   // libx264, for .mp4
-  bool vp9 = false;    // libvpx-vp9, for .webm
-  bool nvenc = false;  // h264_nvenc, by a trial
+  // What is against each, by trying to encode a frame; empty: nothing.
+  std::string h264;   // libx264, for .mp4
+  std::string vp9;    // libvpx-vp9, for .webm
+  std::string nvenc;  // h264_nvenc
 };
 
 constexpr double kPatience = 10;  // seconds for another program to tell about itself
 const char* const kGlRemedy = "apt-get install libegl1 libegl-mesa0 libgl1-mesa-dri libosmesa6";
 const char* const kFfmpegRemedy = "apt-get install ffmpeg (videos only; PNG frames and raw RGB need none)";
-
-// ffmpeg may know the encoder where no GPU is.
-bool encodes_by_nvenc() {
-  VideoOptions options;
-  options.encoder = VideoEncoder::nvenc;
-  try {
-    check_video_encoder(options);
-  } catch (const Error&) {
-    return false;
-  }
-  return true;
-}
 
 // Runs a program without a shell; its standard output, or empty when it cannot be run or fails.
 std::string capture(const std::vector<std::string>& arguments) {
@@ -68,13 +57,31 @@ std::string capture(const std::vector<std::string>& arguments) {
   return outcome.status == 0 ? text : "";
 }
 
+// Throws Error(no_context) unless a ball before the background is seen in a picture of it.
+void draw_ball(Renderer& renderer) {
+  VisualScene scene;
+  Instance ball;
+  ball.transform.setIdentity();
+  ball.transform.topRightCorner<3, 1>() = scene.camera.target;
+  ball.color = {0.8f, 0.2f, 0.1f, 1};
+  scene.instances[static_cast<std::size_t>(Primitive::sphere)].push_back(ball);
+  renderer.draw(scene, nullptr);
+  renderer.queue_read();
+  Image image;
+  const bool drawn = renderer.fetch(image) && !image.rgb.empty();
+  const auto red = [&](int x, int y) { return image.rgb[3 * static_cast<std::size_t>(y * image.width + x)]; };
+  if (!drawn || red(image.width / 2, image.height / 2) == red(1, 1))
+    throw Error(ErrorKind::no_context, "a ball that was drawn is not in the picture; " + driver_remedy());
+}
+
 GlFacts find_gl() {
   GlFacts facts;
   try {
     const auto context = create_headless_context(Backend::automatic, facts.attempts);
     context->make_current();
     facts.context = context->name();
-    const Renderer renderer(*context, 64, 64);
+    Renderer renderer(*context, 64, 64);
+    draw_ball(renderer);
     facts.renderer = renderer.gl_renderer();
     facts.version = renderer.gl_version();
     facts.solver = device_capacity(*context);
@@ -94,10 +101,11 @@ FfmpegFacts find_ffmpeg() {
   std::istringstream words(banner);  // "ffmpeg version 5.1.6-0+deb12u1 Copyright …"
   std::string word;
   words >> word >> word >> facts.version;
-  const std::string encoders = capture({"ffmpeg", "-hide_banner", "-encoders"});
-  facts.h264 = encoders.find(" libx264 ") != std::string::npos;
-  facts.vp9 = encoders.find(" libvpx-vp9 ") != std::string::npos;
-  facts.nvenc = encoders.find(" h264_nvenc ") != std::string::npos && encodes_by_nvenc();
+  facts.h264 = encoder_complaint(".mp4", {});
+  facts.vp9 = encoder_complaint(".webm", {});
+  VideoOptions on_gpu;
+  on_gpu.encoder = VideoEncoder::nvenc;
+  facts.nvenc = encoder_complaint(".mp4", on_gpu);
   return facts;
 }
 
@@ -108,7 +116,7 @@ std::int64_t rounded(std::int64_t bodies) {
   return (bodies + unit / 2) / unit * unit;
 }
 
-// "yes: NVIDIA H200, OpenGL 4.6, buffers of up to 4 GiB, about 1.2 million bodies".
+// "not tried: NVIDIA H200, OpenGL 4.6, buffers of up to 4 GiB, about 1200000 bodies; …": a step takes seconds to compile.
 std::string gl_solver_text(const GlFacts& gl) {
   const DeviceCapacity& solver = gl.solver;
   if (gl.context.empty()) return "no: there is no OpenGL";
@@ -116,9 +124,11 @@ std::string gl_solver_text(const GlFacts& gl) {
   constexpr double kGiB = 1024.0 * 1024 * 1024;
   const std::string free =
       solver.memory > 0 ? fmt::format(", {:.1f} GiB free", static_cast<double>(solver.memory) / kGiB) : "";
-  return fmt::format("yes: {}, OpenGL {}, buffers of up to {:.3g} GiB{}, about {} bodies{}", solver.renderer,
-                     solver.version, static_cast<double>(solver.largest_buffer) / kGiB, free,
-                     rounded(solver.bodies), solver.hardware ? "" : "; software: for tests only");
+  return fmt::format(
+      "not tried: {}, OpenGL {}, buffers of up to {:.3g} GiB{}, about {} bodies{}; 'pabd run drop --device "
+      "gpu --steps 1' tries it",
+      solver.renderer, solver.version, static_cast<double>(solver.largest_buffer) / kGiB, free,
+      rounded(solver.bodies), solver.hardware ? "" : "; software: for tests only");
 }
 
 nlohmann::ordered_json solver_json(const GlFacts& gl) {
@@ -128,6 +138,7 @@ nlohmann::ordered_json solver_json(const GlFacts& gl) {
     return value > 0 ? nlohmann::ordered_json(value) : nlohmann::ordered_json();
   };
   return {{"available", can},
+          {"tried", false},
           {"hardware", can && solver.hardware},
           {"renderer", solver.renderer},
           {"version", solver.version},
@@ -154,9 +165,9 @@ nlohmann::ordered_json to_json(const GlFacts& gl, const FfmpegFacts& ffmpeg, con
       {"ffmpeg",
        {{"available", ffmpeg.found},
         {"version", ffmpeg.version},
-        {"libx264", ffmpeg.h264},
-        {"libvpx-vp9", ffmpeg.vp9},
-        {"h264_nvenc", ffmpeg.nvenc}}},
+        {"libx264", ffmpeg.found && ffmpeg.h264.empty()},
+        {"libvpx-vp9", ffmpeg.found && ffmpeg.vp9.empty()},
+        {"h264_nvenc", ffmpeg.found && ffmpeg.nvenc.empty()}}},
       {"cpu", to_json(cpu)},
       {"build", build_text()},
       {"font_bytes", font_bytes().size()},
@@ -165,7 +176,9 @@ nlohmann::ordered_json to_json(const GlFacts& gl, const FfmpegFacts& ffmpeg, con
 }
 
 std::string to_text(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts& cpu) {
-  const auto present = [](bool yes) { return yes ? "yes" : "no"; };
+  const auto encodes = [](const std::string& complaint) {
+    return complaint.empty() ? std::string("works") : fmt::format("no ({})", complaint);
+  };
   std::string text = "pabd " PABD_VERSION "\n";
   text += gl.context.empty()
               ? fmt::format("OpenGL      none; {}\n", kGlRemedy)
@@ -177,7 +190,7 @@ std::string to_text(const GlFacts& gl, const FfmpegFacts& ffmpeg, const CpuFacts
   text += fmt::format("GPU solver  {}\n", gl_solver_text(gl));
   text += ffmpeg.found
               ? fmt::format("ffmpeg      {} · libx264 (.mp4) {} · libvpx-vp9 (.webm) {} · h264_nvenc {}\n",
-                            ffmpeg.version, present(ffmpeg.h264), present(ffmpeg.vp9), present(ffmpeg.nvenc))
+                            ffmpeg.version, encodes(ffmpeg.h264), encodes(ffmpeg.vp9), encodes(ffmpeg.nvenc))
               : fmt::format("ffmpeg      none; {}\n", kFfmpegRemedy);
   text += fmt::format("CPU         {} · {} · {} · {:.1f} GiB\n", cpu.model.empty() ? "unknown" : cpu.model,
                       counted(cpu.limits.cores, "core"), cpu.simd, cpu.memory_gib);

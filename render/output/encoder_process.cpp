@@ -35,6 +35,7 @@ constexpr const char* kOtherWay = "write PNG files: frames/{frame:04}.png";  // 
 
 // What ffmpeg said, on one line.
 std::string joined(std::string text) {
+  text = without_addresses(std::move(text));
   while (!text.empty() && (text.back() == '\n' || text.back() == '\r')) text.pop_back();
   std::string line;
   for (const char c : text) {
@@ -228,7 +229,7 @@ void check_video(const std::string& name, const std::filesystem::path& file, con
   };
   if (outcome.too_slow) refuse(fmt::format("could not be read back within {:g} s", patience));
   if (outcome.status != 0 || !outcome.errors.empty())
-    refuse("cannot be read back (" + one_line(outcome.errors) + ")");
+    refuse("cannot be read back (" + one_line(without_addresses(outcome.errors)) + ")");
   if (found.frames != expected.frames || found.width != expected.width || found.height != expected.height) {
     refuse(fmt::format("has {} of {}x{} pixels, not {} of {}x{}", counted(found.frames, "frame"), found.width,
                        found.height, expected.frames, expected.width, expected.height));

@@ -6,6 +6,7 @@
 
 #include <sstream>
 #include <string>
+#include <string_view>
 #include <vector>
 
 namespace pabd {
@@ -32,6 +33,14 @@ inline void append(Arguments& arguments, const Arguments& more) {
 inline Arguments raw_input(const char* format, int width, int height, double fps) {
   return words("-f rawvideo -pixel_format {} -video_size {}x{} -framerate {:.10g} -i pipe:0 -an", format,
                width, height, fps);
+}
+
+// What ffmpeg said, without the addresses of its parts: "[libx264 @ 0x5632…] broken" is "[libx264] broken".
+inline std::string without_addresses(std::string said) {
+  constexpr std::string_view kAt = " @ 0x";
+  for (auto at = said.find(kAt); at != std::string::npos; at = said.find(kAt, at))
+    said.erase(at, said.find_first_not_of("0123456789abcdef", at + kAt.size()) - at);
+  return said;
 }
 
 // A file, also one whose name has blanks or a colon.

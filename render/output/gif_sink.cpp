@@ -101,7 +101,7 @@ class GifSink : public FrameSink {
                 fmt::format("{}: ffmpeg could not put its palette to use: {}", path_,
                             outcome.too_slow ? fmt::format("no progress for {:g} s", options_.encoder_timeout)
                             : outcome.errors.empty() ? "it gave no reason"
-                                                     : one_line(outcome.errors)));
+                                                     : one_line(without_addresses(outcome.errors))));
   }
 
   // Where the video came from, as text that any viewer of comments shows.

@@ -53,7 +53,7 @@ Arguments codec_of(bool mp4, const VideoOptions& options) {
 
 // What follows is about what follows from it: "[h264_nvenc @ 0x5632…] Cannot load libcuda.so.1".
 std::string first_reason(const std::string& errors) {
-  std::string line = errors.substr(0, errors.find('\n'));
+  std::string line = without_addresses(errors.substr(0, errors.find('\n')));
   if (line.ends_with('.')) line.pop_back();
   const auto end = line.starts_with('[') ? line.find("] ") : std::string::npos;
   return one_line(end == std::string::npos ? line : line.substr(end + 2));
@@ -102,7 +102,7 @@ void check_video_options(const std::string& extension, const VideoOptions& optio
 
 void check_video_encoder(const VideoOptions& options) {
   if (options.encoder == VideoEncoder::software) return;
-  const std::string said = encoder_complaint(codec_of(true, options));
+  const std::string said = encoder_complaint(".mp4", options);
   if (said.empty()) return;
   throw Error(
       ErrorKind::encoder,
@@ -121,14 +121,16 @@ std::vector<std::string> video_arguments(const std::string& extension, double fp
   return list;
 }
 
-std::string encoder_complaint(const std::vector<std::string>& codec) {
+std::string encoder_complaint(const std::string& extension, const VideoOptions& options) {
   Arguments command = words("ffmpeg {} -f lavfi -i color=size=256x256:rate=10:duration=0.1", kQuietFfmpeg);
-  append(command, codec);
-  append(command, words("-f null -"));
+  append(command, codec_of(extension == ".mp4", options));
+  append(command, words("-f framecrc pipe:1"));  // a line a packet
+  bool encoded = false;
   const ChildOutcome outcome = run_child(
-      command, kTrialPatience, [](std::string_view) {}, kTrialPatience);
+      command, kTrialPatience, [&](std::string_view line) { encoded = encoded || line.starts_with("0,"); },
+      kTrialPatience);
   if (!outcome.found) return "ffmpeg was not found in PATH";
-  if (outcome.status == 0) return "";
+  if (outcome.status == 0) return encoded ? "" : "it encoded nothing";
   if (outcome.too_slow) return fmt::format("it did not answer within {:g} s", kTrialPatience);
   return outcome.errors.empty() ? "it gave no reason" : first_reason(outcome.errors);
 }

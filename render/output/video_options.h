@@ -43,7 +43,7 @@ void check_video_encoder(const VideoOptions& options);
 std::vector<std::string> video_arguments(const std::string& extension, double fps,
                                          const VideoOptions& options);
 
-// What is against encoding with such arguments on this machine, in one line; empty: a frame could be encoded so.
-std::string encoder_complaint(const std::vector<std::string>& codec);
+// What is against encoding an ".mp4" (else: a ".webm") so on this machine, in one line; empty: a frame could be encoded so.
+std::string encoder_complaint(const std::string& extension, const VideoOptions& options);
 
 }  // namespace pabd

@@ -45,7 +45,7 @@ TEST_CASE("the same signal twice in a moment is one request: the run ends whole"
     const CommandFolder folder;
     RunningPabd program(
         {"render", "two_boxes", "--size", "64x48", "--frames", "1000000", "-o", folder / "a.mp4"});
-    program.wait_until([](const std::string& err) { return err.find("frame ") != err.npos; });
+    program.wait_until([](const std::string& err) { return err.find(" frames ") != err.npos; });
     program.signal(signal);
     // Two signals that wait at the same time count as one.
     std::this_thread::sleep_for(std::chrono::milliseconds(20));
@@ -144,7 +144,7 @@ TEST_CASE("doctor does not wait for an ffmpeg that says nothing") {
   const FakeFfmpeg fake("echo 'ffmpeg version 0 by nobody'\nsleep 1000 &\necho $! >> \"$HERE/pids\"\n");
   const Outcome outcome = run_pabd({"doctor"});
   CHECK(outcome.exit_code == 0);
-  CHECK(outcome.out.find("libx264 (.mp4) no") != std::string::npos);
+  CHECK(outcome.out.find("libx264 (.mp4) no (it encoded nothing)") != std::string::npos);
 }
 
 }  // namespace pabd::test_cli_signals

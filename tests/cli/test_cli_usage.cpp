@@ -233,6 +233,24 @@ TEST_CASE("a name that is nearly right gets a suggestion, a missing command the 
                       {"barrier, convergence, reactions or series", "pabd plot --help"}));
 }
 
+TEST_CASE("the doctor says yes to no encoder that is only in a list") {
+  // An ffmpeg that lists all encoders, and has none.
+  const CommandFolder folder;
+  write_text(folder / "ffmpeg",
+             "#!/bin/sh\ncase \"$*\" in *-version*) echo ffmpeg version 9.9 ;; *-encoders*)"
+             " echo ' V libx264 x'; echo ' V libvpx-vp9 x'; echo ' V h264_nvenc x' ;;"
+             " *) echo '[vost#0:0 @ 0x55ee] Part [x264 @ 0x7f00ab] is missing.' >&2; exit 1 ;; esac\n");
+  std::filesystem::permissions(folder / "ffmpeg", std::filesystem::perms::owner_all);
+  Setting only;
+  only.environment = {{"PATH", folder.path().string() + ":/usr/bin:/bin"}};
+  const Outcome text = run_pabd({"doctor"}, only);
+  const std::string no = "no (Part [x264] is missing)";
+  CHECK(text.out.find("ffmpeg      9.9 · libx264 (.mp4) " + no + " · libvpx-vp9 (.webm) " + no +
+                      " · h264_nvenc " + no + "\n") != std::string::npos);
+  const auto json = nlohmann::json::parse(run_pabd({"doctor", "--json"}, only).out)["ffmpeg"];
+  for (const char* encoder : {"libx264", "libvpx-vp9", "h264_nvenc"}) CHECK(json[encoder] == false);
+}
+
 TEST_CASE("the doctor reports, whatever is missing") {
   const CommandFolder empty;
   Setting bare;

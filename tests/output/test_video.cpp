@@ -192,7 +192,8 @@ TEST_CASE("an encoder of the GPU is tried first, and refused with ffmpeg's words
   }
   // One that works is told which encoder to take, once to try it and once for the frames.
   const FakeFfmpeg fake(
-      "echo \"$@\" >> \"$HERE/said\"\ncase \"$*\" in *lavfi*) exit 0;; esac\ncat > /dev/null\nexit 3\n");
+      "echo \"$@\" >> \"$HERE/said\"\ncase \"$*\" in *lavfi*) echo 0, 0; exit 0;; esac\ncat > "
+      "/dev/null\nexit 3\n");
   CHECK(caught([&, kept = options] { make_video(folder / "a.mp4", kept, 2); }).kind == encoder_error);
   const std::string said = read_bytes(fake / "said");
   const auto first = said.find("h264_nvenc");
