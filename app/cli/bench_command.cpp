@@ -132,7 +132,7 @@ class Bench {
     row.joints = scene.scene->model.joints.size();
     row.device = scene.device.name;
     const auto engine = scene.device.engine(Backend::automatic);  // the repetitions share what is compiled
-    Progress progress(printable(scene.name) + ", step", scene.steps * options_.repeat,
+    Progress progress("step of " + printable(scene.name), scene.steps * options_.repeat,
                       !options_.common.quiet);
     for (std::int64_t k = 0; k < options_.repeat && !interrupt_.requested(); ++k)
       run(scene, k, engine, progress, row);

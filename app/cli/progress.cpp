@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "app/cli/streams.h"
+#include "sim/base/counted.h"
 
 namespace pabd::cli {
 namespace {
@@ -34,9 +35,10 @@ std::string progress_line(const std::string& unit, std::int64_t done, std::int64
     const auto filled = static_cast<int>(kBarWidth * done / std::max<std::int64_t>(total, 1));
     line = fmt::format("[{}{}] ", std::string(filled, '#'), std::string(kBarWidth - filled, '.'));
   }
-  return line + fmt::format("{} {}/{}  {} %  ETA {}{}{}", unit, done, total,
-                            100 * done / std::max<std::int64_t>(total, 1), duration(seconds_left),
-                            details.empty() ? "" : "  ", details);
+  const auto word = std::min(unit.find(' '), unit.size());  // "steps of pile"
+  return line + fmt::format("{} of {}{}  {} %  ETA {}{}{}", done, counted(total, unit.substr(0, word)),
+                            unit.substr(word), 100 * done / std::max<std::int64_t>(total, 1),
+                            duration(seconds_left), details.empty() ? "" : "  ", details);
 }
 
 std::string progress_line(const std::string& unit, std::int64_t done, std::int64_t total, double seconds_left,

@@ -11,16 +11,16 @@
 
 namespace pabd::cli {
 
-// One line: "task 3/12  25 %  ETA 9 s  1 diverged", with a bar in front on a terminal.
+// One line: "3 of 12 tasks  25 %  ETA 9 s  1 diverged", with a bar in front on a terminal.
 std::string progress_line(const std::string& unit, std::int64_t done, std::int64_t total, double seconds_left,
                           const std::string& details, bool bar);
-// Of steps: "frame 12/300  4 %  ETA 31 s  iterations 7  residual 3.1e-07".
+// Of steps: "12 of 300 frames  4 %  ETA 31 s  iterations 7  residual 3.1e-07".
 std::string progress_line(const std::string& unit, std::int64_t done, std::int64_t total, double seconds_left,
                           const StepSummary& report, bool bar);
 
 class Progress {
  public:
-  // `unit` is what is counted: "frame", "step". Silent when not `enabled`.
+  // `unit` is what is counted: "frame", "step", "step of pile". Silent when not `enabled`.
   Progress(std::string unit, std::int64_t total, bool enabled);
   ~Progress();  // leaves the cursor on a fresh line
 

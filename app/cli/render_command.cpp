@@ -298,9 +298,10 @@ void add_render_command(CLI::App& app, Action& action) {
       options->common);
   using namespace group;
   command.scene(options->scene);
-  command.output(options->output,
-                 ".mp4, .webm, .gif: video; a name with {frame:04} and .png: a PNG a frame; .png: the last "
-                 "frame; -: raw RGB to standard output");
+  command.output(
+      options->output,
+      ".mp4, .webm, .gif: video; a name with {frame:04} and .png: a PNG a frame, from 0000; .png: the last "
+      "frame; -: raw RGB to standard output");
   command.flag(kOutput, "--resume", options->resume, "go on with a sequence of frames that was cut short");
   command.length(options->length, "length (default: the duration of the scene, or 5 s)",
                  "frames a second (default 60; of a .gif 20)");

@@ -27,7 +27,7 @@ int collect(const CollectCommandOptions& options) {
   CollectProgress progress;
   if (!quiet && stderr_is_terminal()) {
     progress = [](const std::string& name, std::size_t number, std::size_t of) {
-      write_stderr(fmt::format("\r\x1b[K{}/{}  {}", number, of, name));
+      write_stderr(fmt::format("\r\x1b[K{} of {} files  {}", number, of, name));
       if (number == of) write_stderr("\r\x1b[K");
     };
   }

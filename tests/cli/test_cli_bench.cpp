@@ -194,7 +194,7 @@ TEST_CASE("a scene that diverges is told of, and the others are measured all the
 
 TEST_CASE("an interrupted bench tells what it has") {
   const CommandFolder folder;
-  const auto begun = [](const std::string& err) { return err.find("pile, step ") != std::string::npos; };
+  const auto begun = [](const std::string& err) { return err.find(" steps of pile ") != std::string::npos; };
   const Outcome outcome = run_pabd_interrupted(
       {"bench", "spin", "pile", "stack", "--steps", "5000", "--json", folder / "bench.json"}, SIGINT, begun);
   CHECK(outcome.exit_code == 130);

@@ -113,9 +113,12 @@ TEST_CASE("progress says how far, how long and how well") {
   report.iterations = 7;
   report.residual = 3.14e-7;
   CHECK(progress_line("frame", 12, 300, 31.4, report, false) ==
-        "frame 12/300  4 %  ETA 31 s  iterations 7  residual 3.1e-07");
+        "12 of 300 frames  4 %  ETA 31 s  iterations 7  residual 3.1e-07");
   CHECK(progress_line("step", 1, 2, 125, report, true) ==
-        "[############............] step 1/2  50 %  ETA 2:05 min  iterations 7  residual 3.1e-07");
+        "[############............] 1 of 2 steps  50 %  ETA 2:05 min  iterations 7  residual 3.1e-07");
+  CHECK(progress_line("step of pile", 1, 4, 0, std::string(), false) ==
+        "1 of 4 steps of pile  25 %  ETA 0 s");
+  CHECK(progress_line("task", 1, 1, 0, std::string(), false) == "1 of 1 task  100 %  ETA 0 s");
   CHECK(progress_line("step", 1, 2, 7321, report, false).find("ETA 2:02 h") != std::string::npos);
 }
 

@@ -344,7 +344,9 @@ TEST_CASE("an interrupted video is published with the frames it has") {
   for (const auto& [signal, code] : {std::pair{SIGINT, 130}, {SIGTERM, 143}}) {
     const CommandFolder folder;
     // The first line of progress comes when frames have been drawn and handed on.
-    const auto has_progress = [](const std::string& err) { return err.find("frame ") != std::string::npos; };
+    const auto has_progress = [](const std::string& err) {
+      return err.find(" frames ") != std::string::npos;
+    };
     const Outcome outcome = run_pabd_interrupted(
         {"render", "two_boxes", "--size", "160x90", "--frames", "100000", "-o", folder / "a.mp4"}, signal,
         has_progress);
@@ -363,7 +365,7 @@ TEST_CASE("the same signal twice in a moment publishes the video as one does") {
   const CommandFolder folder;
   const Outcome outcome = run_pabd_interrupted(
       {"render", "pile", "--size", "640x360", "--frames", "100000", "-o", folder / "a.mp4"}, SIGINT,
-      [](const std::string& err) { return err.find("frame ") != std::string::npos; }, 2);
+      [](const std::string& err) { return err.find(" frames ") != std::string::npos; }, 2);
   CHECK(outcome.exit_code == 130);
   CHECK(folder.names() == std::vector<std::string>{"a.mp4"});
   CHECK(probe_video(folder / "a.mp4").starts_with("640,360,"));
