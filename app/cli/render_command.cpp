@@ -310,7 +310,7 @@ void add_render_command(CLI::App& app, Action& action) {
 
   command.option(kPicture, "--overlay", options->overlay, "comma-separated: " + overlay_help(), "LIST");
   command.option(kPicture, "--caption", options->caption,
-                 "a line over the picture; {time} and {step} stand for the picture's", "TEXT");
+                 "a line over the picture; {time} and {step} stand for the picture's", "LINE");
   command.word(kPicture, "--color-by", options->color_by, {std::begin(kColorNames), std::end(kColorNames)},
                "what colours of bodies say, with a legend; body: nothing but which is which (default); "
                "projection: ‖A − R‖; speed, m/s; energy, J: kinetic and of contacts; component: bodies that "
