@@ -184,6 +184,7 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   for (std::size_t k = 0; k < view.trails.size(); ++k)
     add_trail(view.trails[k].path, trail_color(k), visual_);
   data_.view = &view;
+  data_.to = std::max(data_.to, view.state->time);
   if (caption_.empty() && !choice_.caption.empty())
     data_.caption = with_numbers(choice_.caption, *view.state);
   data_.other = other;
