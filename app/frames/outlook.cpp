@@ -205,8 +205,15 @@ Outlook look_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& s
   }
   out.body = median_of(radii);
   if (radii.empty()) return out;
+  const auto middle_of = [&](const State& state) {
+    Vec3 sum = Vec3::Zero();
+    for (std::size_t i = 0; i < matters.size(); ++i)
+      if (matters[i]) sum += state.c[i];
+    return Vec3(sum / static_cast<double>(radii.size()));
+  };
+  out.start_middle = middle_of(*start.state);
   for (const State& state : states) {
-    TimedSpots& moment = out.moments.emplace_back(TimedSpots{state.time, {}});
+    TimedSpots& moment = out.moments.emplace_back(TimedSpots{state.time, middle_of(state), {}});
     for (Index i = 0; i < model.size(); ++i)
       if (matters[static_cast<std::size_t>(i)])
         add_spots(model.shape[i], {state.c[i], state.R[i]}, moment.spots);

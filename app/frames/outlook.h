@@ -19,7 +19,8 @@ inline constexpr double kLookAhead = 5;
 inline double look_ahead_time(const Scene& scene) { return scene.duration.value_or(kLookAhead); }
 
 struct Outlook {
-  double start_time = 0;  // s
+  double start_time = 0;             // s
+  Vec3 start_middle = Vec3::Zero();  // of the movable bodies that matter; m
   std::vector<Spot>
       start;  // what there is, fixed bodies too; the floor below where it is not known what falls
   std::vector<TimedSpots> moments;  // after the start, in order: the movable bodies that matter

@@ -70,7 +70,7 @@ EasedCamera frame_view(const CameraOption& option, const Camera& side, const Out
   if (turns || !option.frames() || !option.follow.empty() || outlook.moments.empty())
     return EasedCamera(still);
   const Camera like = direction_of(option, side);
-  std::vector<TimedSpots> moments{{outlook.start_time, outlook.start}};
+  std::vector<TimedSpots> moments{{outlook.start_time, outlook.start_middle, outlook.start}};
   moments.insert(moments.end(), outlook.moments.begin(), outlook.moments.end());
   std::vector<Spot> whole;
   for (const TimedSpots& moment : moments)

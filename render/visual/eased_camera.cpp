@@ -25,10 +25,31 @@ Camera drawn_back(Camera camera, double closest) {
 }
 
 // Weights of C_{k−1} … C_{k+2} between C_k and C_{k+1}.
-std::array<float, 4> weights_at(double u) {
+std::array<double, 4> weights_at(double u) {
   const double v = 1 - u, u2 = u * u, v2 = v * v;
-  return {static_cast<float>(v2 * v / 6), static_cast<float>((4 - 6 * u2 + 3 * u2 * u) / 6),
-          static_cast<float>((4 - 6 * v2 + 3 * v2 * v) / 6), static_cast<float>(u2 * u / 6)};
+  return {v2 * v / 6, (4 - 6 * u2 + 3 * u2 * u) / 6, (4 - 6 * v2 + 3 * v2 * v) / 6, u2 * u / 6};
+}
+
+// At a time between two moments, or at the nearest one.
+Vec3 middle_between(std::span<const TimedSpots> moments, double time) {
+  const auto later = std::find_if(moments.begin(), moments.end(),
+                                  [&](const TimedSpots& moment) { return moment.time >= time; });
+  if (later == moments.begin()) return moments.front().middle;
+  if (later == moments.end()) return moments.back().middle;
+  const TimedSpots& before = *(later - 1);
+  const double part = (time - before.time) / (later->time - before.time);
+  return (1 - part) * before.middle + part * later->middle;
+}
+
+// Where `time` is among control points, and their weights there.
+struct Place {
+  std::size_t first;
+  std::array<double, 4> weights;
+};
+Place place_of(double time, std::size_t points) {  // in Δ after the start
+  const auto spans = static_cast<double>(points - 3);
+  const double place = std::clamp(time, 0.0, spans), k = std::min(std::floor(place), spans - 1);
+  return {static_cast<std::size_t>(k), weights_at(place - k)};
 }
 
 }  // namespace
@@ -40,14 +61,16 @@ EasedCamera::EasedCamera(std::span<const TimedSpots> moments, const Camera& like
   spacing_ = std::clamp(span / kSpans, kShortest, kLongest);
   const int last = std::max(1, static_cast<int>(std::ceil(span / spacing_))) + 1;
   const double between = span / static_cast<double>(moments.size());
+  for (int k = -1; k <= last; ++k) middles_.push_back(middle_between(moments, start_ + k * spacing_));
   controls_.clear();
   std::vector<Spot> window;
   for (int k = -1; k <= last; ++k) {
     window.clear();
     for (const TimedSpots& moment : moments) {
       // What is between two moments is seen by those that see both.
-      if (std::abs(moment.time - start_ - k * spacing_) <= 2 * spacing_ + between)
-        window.insert(window.end(), moment.spots.begin(), moment.spots.end());
+      if (std::abs(moment.time - start_ - k * spacing_) > 2 * spacing_ + between) continue;
+      const Vec3 middle = middle_at(moment.time);
+      for (const Spot& spot : moment.spots) window.push_back({spot.centre - middle, spot.radius});
     }
     const Camera& nothing = controls_.empty() ? like : controls_.back();
     controls_.push_back(window.empty() ? nothing
@@ -55,19 +78,25 @@ EasedCamera::EasedCamera(std::span<const TimedSpots> moments, const Camera& like
   }
 }
 
+Vec3 EasedCamera::middle_at(double time) const {
+  const Place place = place_of((time - start_) / spacing_, middles_.size());
+  Vec3 out = Vec3::Zero();
+  for (std::size_t i = 0; i < place.weights.size(); ++i) out += place.weights[i] * middles_[place.first + i];
+  return out;
+}
+
 Camera EasedCamera::at(double time) const {
   if (is_still()) return controls_.front();
-  const auto spans = static_cast<double>(controls_.size() - 3);
-  const double place = std::clamp((time - start_) / spacing_, 0.0, spans);
-  const double k = std::min(std::floor(place), spans - 1);
-  const std::array<float, 4> weights = weights_at(place - k);
-  Camera camera = controls_.front();
-  camera.eye = camera.target = Vec3f::Zero();
-  for (std::size_t i = 0; i < weights.size(); ++i) {
-    const Camera& control = controls_[static_cast<std::size_t>(k) + i];
-    camera.eye += weights[i] * control.eye;
-    camera.target += weights[i] * control.target;
+  const Place place = place_of((time - start_) / spacing_, controls_.size());
+  Vec3 eye = middle_at(time), target = eye;
+  for (std::size_t i = 0; i < place.weights.size(); ++i) {
+    const Camera& control = controls_[place.first + i];
+    eye += place.weights[i] * control.eye.cast<double>();
+    target += place.weights[i] * control.target.cast<double>();
   }
+  Camera camera = controls_.front();
+  camera.eye = eye.cast<float>();
+  camera.target = target.cast<float>();
   return camera;
 }
 

@@ -3,7 +3,8 @@
 //
 // The eyes from which a ball is inside of a rectangle of the picture are a convex set (framing.cpp has its planes), and
 // for parallel rays so are eyes together with distances. A B-spline is at every time between its control points. So
-// where each of these sees all that is to be seen while it counts, the camera sees it at every time.
+// where each of these sees all that is to be seen while it counts, the camera sees it at every time. All that is
+// meant as seen from a point that goes along, smoothly, with the middle of what moves: what is fast needs no wide view.
 #pragma once
 
 #include <span>
@@ -16,6 +17,7 @@ namespace pabd {
 // What is to be seen at a time.
 struct TimedSpots {
   double time;  // s
+  Vec3 middle;  // of what moves; m
   std::vector<Spot> spots;
 };
 
@@ -35,7 +37,10 @@ class EasedCamera {
   Camera at(double time) const;
 
  private:
-  double start_ = 0, spacing_ = 1;          // s
+  Vec3 middle_at(double time) const;
+
+  double start_ = 0, spacing_ = 1;  // s
+  std::vector<Vec3> middles_;       // control points of the one that goes along; empty: it stands still
   std::vector<Camera> controls_{Camera{}};  // the first of them one spacing before the start
 };
 
