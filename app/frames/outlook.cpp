@@ -20,7 +20,6 @@ constexpr double kWhole = 0.9;              // of the time: from then on it is k
 constexpr double kAway = 6;       // radii of the start, from its middle: who ends nearer has not left
 constexpr double kFarther = 1.5;  // times as far as half of those at rest: the same
 constexpr double kFarthest = 60;  // radii of the start: where all leave, what is nearer is shown
-constexpr double kAbove = 2;      // radii of a body: so near to a plane it is on it
 constexpr int kFew = 5;           // fewer bodies all matter
 constexpr int kOneOf = 10;        // one of so many may be far away
 constexpr double kOutside = 2;    // times as far as the others go: far away
@@ -39,13 +38,15 @@ bool is_slow(const Model& model, const State& state, Index i) {
   return state.v[i].norm() < bounding_radius(model.shape[i]);
 }
 
-bool is_on_plane(const Model& model, const State& state, Index i) {
-  const auto carries = [&](const Shape& shape) {
+// Whether a plane is below it, on which it is, or will be.
+bool is_over_plane(const Model& model, const State& state, Index i, const Vec3& gravity) {
+  const auto catches = [&](const Shape& shape) {
     if (!is_plane(shape)) return false;
     const Plane& plane = as<Plane>(shape);
-    return std::abs(plane.normal.dot(state.c[i]) - plane.offset) < kAbove * bounding_radius(model.shape[i]);
+    const double above = plane.normal.dot(state.c[i]) - plane.offset;
+    return plane.normal.dot(gravity) < 0 && above > -bounding_radius(model.shape[i]);
   };
-  return std::any_of(model.shape.begin(), model.shape.end(), carries);
+  return std::any_of(model.shape.begin(), model.shape.end(), catches);
 }
 
 bool moves(const Model& model, const std::vector<std::uint8_t>& seen, Index i) {
@@ -95,14 +96,15 @@ std::vector<State> run_ahead(const std::shared_ptr<const Scene>& scene, const Fr
   try {
     ahead.restore(start.model, *start.state);
     ahead.set_params(params);
-    double allowed = 0;  // energy that there may be; J
+    double allowed = 0, most = 0;  // energy that there may be, and the largest that there was of one kind; J
     for (int step = 1; step <= count; ++step) {
       const StepReport& report = ahead.step();
       if (report.status == StepStatus::non_finite) break;
       // Steps that are too long for the scene make energy: what follows is no way that bodies go.
       const double energy = report.kinetic + report.potential + report.elastic;
       allowed = step == 1 ? energy : allowed + report.drive_work;
-      if (energy - allowed > kMadeEnergy * (report.kinetic + std::abs(report.potential))) break;
+      most = std::max({most, report.kinetic, std::abs(report.potential)});
+      if (energy - allowed > kMadeEnergy * most) break;
       if (step % every == 0 || step == count) out.push_back(places_of(ahead.state()));
     }
   } catch (const Error&) {  // it has no way to be told
@@ -143,7 +145,7 @@ std::vector<Spot> Outlook::all() const {
 
 std::vector<std::uint8_t> who_matters(const Model& model, const BoundingSphere& around,
                                       const std::vector<double>& way, const State& end,
-                                      const std::vector<std::uint8_t>& seen) {
+                                      const std::vector<std::uint8_t>& seen, const Vec3& gravity) {
   std::vector<double> at_rest, all;
   for (Index i = 0; i < model.size(); ++i) {
     if (!moves(model, seen, i)) continue;
@@ -164,7 +166,8 @@ std::vector<std::uint8_t> who_matters(const Model& model, const BoundingSphere& 
     return any;
   };
   const bool any = mark([&](Index i) {
-    return way_from(around, end.c[i]) <= far || is_slow(model, end, i) || is_on_plane(model, end, i);
+    return way_from(around, end.c[i]) <= far || is_slow(model, end, i) ||
+           is_over_plane(model, end, i, gravity);
   });
   if (!any) mark([](Index) { return true; });
   drop_outliers(around, way, matters);
@@ -192,7 +195,7 @@ Outlook look_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& s
     std::vector<double> way(seen.size(), 0);
     for (const State& state : states)
       for (std::size_t i = 0; i < way.size(); ++i) way[i] = std::max(way[i], way_from(*around, state.c[i]));
-    matters = who_matters(model, *around, way, states.back(), seen);
+    matters = who_matters(model, *around, way, states.back(), seen, start.params.gravity);
   }
   std::vector<double> radii;
   out.far.resize(seen.size(), 0);

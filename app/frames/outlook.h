@@ -37,7 +37,7 @@ struct Outlook {
 // 1: matters. `way`: of each body, how far from `around` it goes; m. `end`: where they are then. `seen`: see bounds.h.
 std::vector<std::uint8_t> who_matters(const Model& model, const BoundingSphere& around,
                                       const std::vector<double>& way, const State& end,
-                                      const std::vector<std::uint8_t>& seen);
+                                      const std::vector<std::uint8_t>& seen, const Vec3& gravity);
 
 // What is to be seen of `start` and of `seconds` after it, found by simulating ahead, with longer steps if there would be
 // too many. With many bodies that ends early, and the floor below them is shown. `only`: the

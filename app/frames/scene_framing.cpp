@@ -65,10 +65,9 @@ Camera frame_view(const CameraOption& option, const Camera& side, std::span<cons
 
 EasedCamera frame_view(const CameraOption& option, const Camera& side, const Outlook& outlook, double aspect,
                        const PicturePart& part) {
-  const Camera still = frame_view(option, side, outlook.all(), aspect, part);
   const bool turns = option.view == CameraOption::View::orbit;
   if (turns || !option.frames() || !option.follow.empty() || outlook.moments.empty())
-    return EasedCamera(still);
+    return EasedCamera(frame_view(option, side, outlook.all(), aspect, part));
   const Camera like = direction_of(option, side);
   std::vector<TimedSpots> moments{{outlook.start_time, outlook.start_middle, outlook.start}};
   moments.insert(moments.end(), outlook.moments.begin(), outlook.moments.end());
@@ -76,7 +75,8 @@ EasedCamera frame_view(const CameraOption& option, const Camera& side, const Out
   for (const TimedSpots& moment : moments)
     whole.insert(whole.end(), moment.spots.begin(), moment.spots.end());
   const double slope = std::tan(0.5 * static_cast<double>(like.fov) * kPi / 180) * std::min(1.0, aspect);
-  const double far = distance_of(fit_camera(whole, like, aspect, part));
+  const Camera still = fit_camera(whole, like, aspect, part);
+  const double far = distance_of(still);
   const double near = std::max(distance_of(fit_camera(outlook.start, like, aspect, part)),
                                std::min(far, outlook.body / (kSeenWell * slope)));
   if (far <= kStill * near) return EasedCamera(still);
@@ -125,7 +125,7 @@ Camera scene_camera(const Scene& scene, const State& end, double aspect) {
   std::vector<double> way;
   for (const Vec3& c : end.c) way.push_back((c - around->centre).norm());
   const std::vector<std::uint8_t> matters =
-      who_matters(model, *around, way, end, bodies_in_picture(model, end));
+      who_matters(model, *around, way, end, bodies_in_picture(model, end), scene.params.gravity);
   for (Index i = 0; i < model.size(); ++i)
     if (matters[static_cast<std::size_t>(i)]) add_spots(model.shape[i], {end.c[i], end.R[i]}, spots);
   return fit_camera(spots, side_of(scene), aspect);

@@ -45,7 +45,8 @@ std::shared_ptr<const Scene> random_scene(std::uint64_t seed) {
   std::string bodies = kPlane;
   for (int i = 0; i < count; ++i) {
     const Vec3 at(3 * size * (i % 4), size * (1.5 + 8 * random.uniform()), 3 * size * (i / 4));
-    const Vec3 v = speed * Vec3(random.symmetric(), random.symmetric(), random.symmetric());
+    Vec3 v;  // in order, whatever the compiler
+    for (double& x : v) x = speed * random.symmetric();
     const double a = size * (0.4 + 0.6 * random.uniform());
     const char* const shapes[] = {R"("sphere", "radius": {0})", R"("box", "size": [{0}, {1}, {0}])",
                                   R"("capsule", "radius": {1}, "length": {0})",
