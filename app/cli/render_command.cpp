@@ -2,7 +2,6 @@
 // pabd render: simulate and draw without a display; video, PNG frames or raw RGB.
 #include <fmt/format.h>
 
-#include <algorithm>
 #include <filesystem>
 #include <memory>
 #include <optional>
@@ -198,8 +197,7 @@ int render(const RenderOptions& asked) {
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(backend, attempts);
   AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera,
-                    b ? b->shared_scene() : nullptr, seconds,
-                    is_still(out) ? std::max(seconds, look_ahead_time(a.scene())) : seconds);
+                    b ? b->shared_scene() : nullptr, seconds);
   painter.set_quality(parse_quality(options.quality));
   PngText common =
       common_text(a.scene(),

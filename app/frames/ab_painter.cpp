@@ -50,17 +50,14 @@ void paste(const std::vector<std::uint8_t>& from, int width, int left, int chann
 // From the same place for all runs of a scene, whatever their parameters.
 Outlook outlook_of(const std::shared_ptr<const Scene>& scene, const FrameView& first,
                    const CameraOption& camera, double seconds) {
-  const bool looks = camera.frames() && camera.follow.empty();
+  const bool ahead = camera.frames() && camera.follow.empty();
   FrameView start = first;
   start.params = scene->params;
   if (start.poses) {  // they are on a GPU
     start.model = {scene, &scene->model};
     start.state = {scene, &scene->initial};
   }
-  return look_ahead(scene, start,
-                    !looks        ? 0
-                    : seconds > 0 ? seconds
-                                  : look_ahead_time(*scene),
+  return look_ahead(scene, start, ahead ? std::max(seconds, look_ahead_time(*scene)) : 0,
                     bodies_to_fit(camera, *start.model));
 }
 
@@ -75,8 +72,8 @@ AbView parse_ab_view(const std::string& text) {
 AbPainter::AbPainter(GlContext& context, const std::shared_ptr<const Scene>& scene, const Frame& first,
                      AbView view, int width, int height, const OverlayChoice& overlay,
                      const CameraOption& camera, const std::shared_ptr<const Scene>& scene_b,
-                     double seconds, double ahead) {
-  const Outlook outlook = outlook_of(scene, first.a, camera, ahead);
+                     double seconds) {
+  const Outlook outlook = outlook_of(scene, first.a, camera, seconds);
   const auto painter = [&](const FrameView& of, int w, const Comparison& comparison, bool is_b = false) {
     return std::make_unique<FramePainter>(context, is_b && scene_b ? scene_b : scene, of, outlook, w, height,
                                           overlay, camera, seconds, comparison);

@@ -19,11 +19,11 @@ class AbPainter {
  public:
   // As FramePainter. `first` says whether there are two runs, and what the caption tells of them. Unless the camera
   // is given it shows where the scene's bodies go (scene_framing.h). `scene_b`: that of B where its
-  // joints have other laws; null: the same. `seconds`: from the first picture to
-  // the last one, `ahead`: of what follows the first one that the camera shows; 0: not known.
+  // joints have other laws; null: the same. `seconds`: from the first picture to the last one; less than 5 s and the
+  // duration of the scene are taken for these.
   AbPainter(GlContext& context, const std::shared_ptr<const Scene>& scene, const Frame& first, AbView view,
             int width, int height, const OverlayChoice& overlay, const CameraOption& camera,
-            const std::shared_ptr<const Scene>& scene_b = nullptr, double seconds = 0, double ahead = 0);
+            const std::shared_ptr<const Scene>& scene_b = nullptr, double seconds = 0);
 
   void set_quality(const RenderQuality& quality);  // of the pictures that follow
   // And starts copying it back. `on_device`: as FramePainter; not with two runs.

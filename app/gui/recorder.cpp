@@ -120,9 +120,9 @@ void Recorder::open(const Frame& first) {
   }
   std::vector<std::string> trails;
   for (const TrailPoint& point : job.trails.points()) trails.push_back(trail_words(point));
-  const double seconds = job.source->count() / r.fps;
-  job.painter = std::make_unique<AbPainter>(context_, job.scene, first, job.ab_view, r.width, r.height,
-                                            job.overlay, job.camera, job.scene_b, seconds, seconds);
+  job.painter =
+      std::make_unique<AbPainter>(context_, job.scene, first, job.ab_view, r.width, r.height, job.overlay,
+                                  job.camera, job.scene_b, job.source->count() / r.fps);
   const ViewFacts facts{.width = r.width,
                         .height = r.height,
                         .fps = r.fps,
