@@ -202,7 +202,7 @@ Outlook look_ahead(const std::shared_ptr<const Scene>& scene, const FrameView& s
   for (Index i = 0; i < model.size(); ++i) {
     const auto at = static_cast<std::size_t>(i);
     const bool movable = moves(model, seen, i);
-    out.far[at] = movable && !matters[at] ? 1 : 0;
+    out.far[at] = only.empty() && movable && !matters[at] ? 1 : 0;
     if (!movable) matters[at] = 0;
     if (matters[at]) radii.push_back(bounding_radius(model.shape[i]));
   }

@@ -81,10 +81,4 @@ double Pace::shown(double simulated) const {
   return out;
 }
 
-double Pace::speed_at(double simulated) const {
-  for (const Part& part : parts_)
-    if (simulated >= part.from && simulated < part.to) return part.speed;
-  return speed_;
-}
-
 }  // namespace pabd

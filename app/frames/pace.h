@@ -18,9 +18,8 @@ class Pace {
   // Of a video, s since its start, and of the simulation, s since the first frame: from one to the other.
   double simulated(double shown) const;
   double shown(double simulated) const;
-  double speed_at(double simulated) const;
 
-  // Whether any frame may show what lies between two steps.
+  // If not, frames may show what lies between two steps.
   bool is_real_time() const { return parts_.empty() && speed_ == 1; }
 
  private:

@@ -28,8 +28,6 @@ TEST_CASE("a pace goes from the time of a video to that of the run, and back") {
   CHECK(pace.simulated(0.8 + 4 + 0.8 + 0.25) == Approx(3));
   CHECK(pace.shown(5) == Approx(0.8 + 4 + 0.8 + 0.5 + 1));
   for (double t = 0; t < 8; t += 0.0625) CHECK(pace.shown(pace.simulated(t)) == Approx(t).margin(1e-12));
-  CHECK(pace.speed_at(1) == 0.1);
-  CHECK(pace.speed_at(1.3) == 1);
   CHECK(Pace("0.1").simulated(3) == Approx(0.3));
   CHECK(Pace().is_real_time());
   CHECK(Pace("1").is_real_time());
