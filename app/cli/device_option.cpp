@@ -180,33 +180,33 @@ DeviceChoice prepare_on_device(const std::string& option, const std::string& sou
 }
 
 std::string DeviceChoices::words() const {
-  if (!b) return a.words();
-  const auto name = [](const DeviceChoice& one) { return one.gpu ? one.name : "the processor"; };
-  return " · steps of A by " + name(a) + ", of B by " + name(*b);
-}
-
-DeviceChoices choose_devices(const std::string& option, Backend backend, const std::string& source,
-                             const Run& a, const Run* b, const StepOptions& wanted) {
-  const auto choose = [&](const std::vector<DeviceTask>& tasks) {
-    return choose_device(option, backend, source, tasks, wanted);
-  };
-  const DeviceTask of_a = {&a.model(), &a.params(), &a.state()};
-  DeviceChoices out;
-  if (b == nullptr) {
-    out.a = choose({of_a});
-  } else if (const DeviceTask of_b = {&b->model(), &b->params(), &b->state()};
-             !option.empty() || a.params().solver.device == b->params().solver.device) {
-    out.a = choose({of_a, of_b});
-  } else {
-    out.a = choose({of_a});
-    out.b = choose({of_b});
+  if (of.size() == 1) return of.front().words();
+  std::string out;
+  for (std::size_t k = 0; k < of.size(); ++k) {
+    const std::string run = of.size() == 2 ? k == 0 ? "A" : "B" : fmt::format("run {}", k + 1);
+    out += fmt::format("{} of {} by {}", out.empty() ? " · steps" : ",", run,
+                       of[k].gpu ? of[k].name : "the processor");
   }
   return out;
 }
 
-void solve_by(const DeviceChoices& choices, Backend backend, Run& a, Run* b) {
-  a.solve_with(choices.a.engine(backend));
-  if (b != nullptr) b->solve_with((choices.b ? *choices.b : choices.a).engine(backend));
+DeviceChoices choose_devices(const std::string& option, Backend backend, const std::string& source,
+                             const std::vector<Run>& runs, const StepOptions& wanted) {
+  std::vector<DeviceTask> tasks;
+  bool same = true;
+  for (const Run& run : runs) {
+    tasks.push_back({&run.model(), &run.params(), &run.state()});
+    same = same && run.params().solver.device == runs.front().params().solver.device;
+  }
+  if (!option.empty() || same) return {{choose_device(option, backend, source, tasks, wanted)}};
+  DeviceChoices out;
+  for (const DeviceTask& task : tasks)
+    out.of.push_back(choose_device(option, backend, source, {task}, wanted));
+  return out;
+}
+
+void solve_by(const DeviceChoices& choices, Backend backend, std::vector<Run>& runs) {
+  for (std::size_t k = 0; k < runs.size(); ++k) runs[k].solve_with(choices.run(k).engine(backend));
 }
 
 std::shared_ptr<const StepDevices> gpu_devices(Backend backend, std::shared_ptr<SharedContext> drawing) {

@@ -57,19 +57,18 @@ DeviceChoice choose_device(const std::string& option, Backend backend, const std
 DeviceChoice prepare_on_device(const std::string& option, const std::string& source, Session& session,
                                const StepOptions& wanted);
 
-// Of a run, and of another one in step with it where that has another.
+// Of runs in step: of all, or of each where their parameters ask for different ones.
 struct DeviceChoices {
-  DeviceChoice a;
-  std::optional<DeviceChoice> b;
+  std::vector<DeviceChoice> of;  // one, or one a run
 
-  std::string words() const;  // of both, as above
+  const DeviceChoice& run(std::size_t k) const { return of[k < of.size() ? k : 0]; }
+  std::string words() const;  // of all, as above
 };
 
-// For one run, or two in step; `b` may be null.
 DeviceChoices choose_devices(const std::string& option, Backend backend, const std::string& source,
-                             const Run& a, const Run* b, const StepOptions& wanted);
-// Both have the engines that were chosen.
-void solve_by(const DeviceChoices& choices, Backend backend, Run& a, Run* b);
+                             const std::vector<Run>& runs, const StepOptions& wanted);
+// The runs have the engines that were chosen.
+void solve_by(const DeviceChoices& choices, Backend backend, std::vector<Run>& runs);
 
 // The GPU as what a program offers to runs that change while they are made: the window's. Looks for it when it is first
 // asked for, once. `drawing`: what who draws the run lends to it (not null).

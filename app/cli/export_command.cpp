@@ -94,7 +94,7 @@ Frames recorded_frames(const ExportOptions& options, const std::shared_ptr<const
   const double begin = run.state().time;
   // The frame at the end belongs to it, too.
   const PastRange range{-1, time ? begin + *time : -1, out.fps};
-  auto source = std::make_unique<PastSource>(std::move(run), std::optional<Run>{}, range, false, arrays);
+  auto source = std::make_unique<PastSource>(runs_of(std::move(run)), range, false, arrays);
   out.count = source->count();
   out.source = std::move(source);
   return out;
@@ -141,8 +141,8 @@ int export_run(const ExportOptions& options) {
   {
     Progress progress("frame", frames.count, !options.common.quiet);
     while (const auto frame = frames.source->next([&] { return interrupt.requested(); })) {
-      exporter->add(frame->number, frame->a);
-      progress.update(++done, frame->a.report);
+      exporter->add(frame->number, frame->a());
+      progress.update(++done, frame->a().report);
     }
   }
   if (done > 0) exporter->finish();

@@ -9,19 +9,17 @@
 #include "app/cli/device_option.h"
 #include "app/cli/interrupt.h"
 #include "app/cli/progress.h"
+#include "app/cli/render_runs.h"
 #include "app/cli/run_notes.h"
 #include "app/cli/simulation_setup.h"
 #include "app/cli/streams.h"
-#include "app/frames/ab_painter.h"
 #include "app/frames/frame_text.h"
 #include "app/frames/render_pipeline.h"
-#include "app/session/joint_settings.h"
+#include "app/frames/runs_painter.h"
 #include "app/session/step_at_time.h"
 #include "render/output/frame_sink.h"
 #include "sim/base/counted.h"
 #include "sim/base/error.h"
-#include "sim/base/input_file.h"
-#include "sim/scene/tuning.h"
 
 namespace pabd::cli {
 namespace {
@@ -29,7 +27,6 @@ namespace {
 // A GIF is for a page: files of three digits of megabytes are of no use there.
 constexpr double kFps = 60, kGifFps = 20;
 constexpr const char *kSize = "1280x720", *kGifSize = "640x360";
-constexpr std::size_t kMostPatchBytes = std::size_t{1} << 20;
 
 struct RenderOptions {
   CommonOptions common;
@@ -48,6 +45,7 @@ struct RenderOptions {
   double encoder_timeout = SinkOptions{}.encoder_timeout;
   std::string ab;
   std::string ab_view = "side";
+  std::vector<std::string> grid;
   bool resume = false;
   std::string quality = "good";
   std::string encoder = "software";
@@ -117,7 +115,7 @@ void check_output(const RenderOptions& options) {
 
 constexpr int kLeastSide = 34;  // px: two pictures of the least width, and the seam
 
-void check_ab(const RenderOptions& options, const OverlayChoice& overlay, const FrameSize& size) {
+void check_compared(const RenderOptions& options, const OverlayChoice& overlay, const FrameSize& size) {
   const OverlayPanel* of_two = overlay.panels.needing(&OverlayPanel::other_run);
   if (options.ab.empty() && of_two != nullptr) {
     throw Error(ErrorKind::bad_input,
@@ -127,23 +125,6 @@ void check_ab(const RenderOptions& options, const OverlayChoice& overlay, const 
     throw Error(ErrorKind::bad_input,
                 fmt::format("--size {}: --ab needs a width of {} or more", options.size, kLeastSide));
   }
-}
-
-// B: the same scene and start with other parameters. Laws of joints belong to the bodies and joints of a scene: with
-// others it is read again.
-Run open_patched(const RenderOptions& options, const Run& a, InputFiles& inputs) {
-  std::string patch = read_file(options.ab, kMostPatchBytes, "a JSON merge patch");
-  const std::vector<std::string> joints = take_joint_settings(patch, options.ab);
-  if (joints.empty()) {
-    Run b = a.fork();
-    b.set_params(patched(a.params(), patch, options.ab));
-    return b;
-  }
-  CommonOptions common = options.common;
-  common.sets.insert(common.sets.end(), joints.begin(), joints.end());
-  Run b = open_run(options.scene, common, options.from, inputs);
-  b.set_params(patched(a.params(), patch, options.ab));
-  return b;
 }
 
 int render(const RenderOptions& asked) {
@@ -161,11 +142,13 @@ int render(const RenderOptions& asked) {
   check_range("--trail-time", options.trail_time, 0.01, 1e6, "s");
   std::vector<TrailPoint> trail_points;
   for (const std::string& trail : options.trails) trail_points.push_back(parse_trail(trail, "--trail"));
-  const AbView ab_view = parse_ab_view(options.ab_view);
   const std::string& out = options.output.path;
   check_output(options);
-  check_ab(options, overlay, size);
+  check_compared(options, overlay, size);
   InputFiles inputs;
+  Arrangement arrangement{parse_ab_view(options.ab_view), RunGrid(options.grid)};
+  const RunGrid& grid = arrangement.grid;
+  const AskedRuns asked_runs{options.scene, options.common, options.from, options.ab, grid};
   Run a = open_run(options.scene, options.common, options.from, inputs);
   // A video of T seconds has T·fps frames, the last one a frame before T; a still shows the state at T.
   const auto frames = frame_count(options.length, a.scene(), options.fps, is_still(out), pace);
@@ -179,42 +162,46 @@ int render(const RenderOptions& asked) {
   const StepOptions wanted{.record_iterations = overlay.needs_iterations(),
                            .report_contacts = overlay.needs_contacts(),
                            .report_bodies = overlay.needs_bodies()};
-  a.observe(wanted.record_iterations, wanted.report_contacts, wanted.report_bodies);
-  std::optional<Run> b;
-  if (!options.ab.empty()) {
-    b.emplace(open_patched(options, a, inputs));
-    b->observe(wanted.record_iterations, wanted.report_contacts, wanted.report_bodies);
+  arrangement.ahead = a.shared_scene();
+  std::vector<Run> runs = open_runs(asked_runs, std::move(a), inputs);
+  std::vector<std::shared_ptr<const Scene>> scenes;
+  std::vector<FrameView> views;
+  std::vector<RunNotes> notes;
+  for (Run& run : runs) {
+    run.observe(wanted.record_iterations, wanted.report_contacts, wanted.report_bodies);
+    scenes.push_back(run.shared_scene());
+    notes.emplace_back(run.model(), run.params());
   }
   const Backend backend = parse_backend(options.backend);
-  const DeviceChoices device =
-      choose_devices(options.device, backend, options.scene, a, b ? &*b : nullptr, wanted);
-  const bool filmed = device.a.gpu && !b && trail_points.empty() && DeviceFilm::shows_all(a, overlay, camera);
-  if (!filmed) solve_by(device, backend, a, b ? &*b : nullptr);
-  std::optional<FrameView> start_b;
-  if (b) start_b = b->view();
-  const Frame start = make_frame(0, a.view(), std::move(start_b), {});
+  const DeviceChoices device = choose_devices(options.device, backend, options.scene, runs, wanted);
+  const bool filmed = device.run(0).gpu && runs.size() == 1 && trail_points.empty() &&
+                      DeviceFilm::shows_all(runs[0], overlay, camera);
+  if (!filmed) solve_by(device, backend, runs);
+  for (const Run& run : runs) views.push_back(run.view());
+  Frame start = make_frame(0, std::move(views));
+  start.compared = !options.ab.empty();
 
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(backend, attempts);
-  AbPainter painter(*context, a.shared_scene(), start, ab_view, size.width, size.height, overlay, camera,
-                    b ? b->shared_scene() : nullptr, seconds);
+  RunsPainter painter(*context, scenes, start, arrangement, size.width, size.height, overlay, camera,
+                      seconds);
   painter.set_quality(parse_quality(options.quality));
-  PngText common =
-      common_text(a.scene(),
-                  {.width = size.width,
-                   .height = size.height,
-                   .fps = options.fps,
-                   .overlay = options.overlay,
-                   .camera = camera_text(camera, options.camera),
-                   .gl_renderer = painter.gl_renderer(),
-                   .quality = options.quality,
-                   .theme = options.theme,
-                   .color_by = options.color_by,
-                   .contacts_by = options.contacts_by,
-                   .trails = options.trails},
-                  start.a, start.b ? &*start.b : nullptr, options.ab_view, b ? &b->scene() : nullptr);
-  if (device.a.gpu) common["Device"] = device.a.name;
-  if (device.b) common["Device of B"] = device.b->name;
+  PngText common = common_text(*scenes[0],
+                               {.width = size.width,
+                                .height = size.height,
+                                .fps = options.fps,
+                                .overlay = options.overlay,
+                                .camera = camera_text(camera, options.camera),
+                                .gl_renderer = painter.gl_renderer(),
+                                .quality = options.quality,
+                                .theme = options.theme,
+                                .color_by = options.color_by,
+                                .contacts_by = options.contacts_by,
+                                .trails = options.trails,
+                                .grid = grid.text()},
+                               start.a(), start.b(), options.ab_view, scenes.back().get());
+  if (device.run(0).gpu) common["Device"] = device.run(0).name;
+  if (start.compared && device.of.size() > 1) common["Device of B"] = device.of[1].name;
   if (options.resume) range.first = find_resume_frame(out, range.count, common);
   if (range.first == range.count) {
     if (!options.common.quiet)
@@ -224,7 +211,7 @@ int render(const RenderOptions& asked) {
   }
 
   SinkOptions sink_setup =
-      sink_options(start.a, common, range, size.width, size.height, options.resume ? range.first : 0);
+      sink_options(start.a(), common, range, size.width, size.height, options.resume ? range.first : 0);
   sink_setup.inputs = inputs;
   // What follows the last whole frame is drawn again.
   sink_setup.force = options.output.force || options.resume;
@@ -236,30 +223,27 @@ int render(const RenderOptions& asked) {
   std::optional<Progress> progress(std::in_place, "frame", range.count, !options.common.quiet);
   const auto show = [&](int done, const StepSummary& step) { progress->update(done, step); };
   const RenderWatch watch{[&] { return interrupt.requested(); }, show};
-  RunNotes notes(a.model(), a.params());
-  std::optional<RunNotes> notes_b;
-  if (b) notes_b.emplace(b->model(), b->params());
-  const auto stepped = [&](const StepSummary& step, bool of_b) { (of_b ? *notes_b : notes).add(step); };
+  const auto stepped = [&](const StepSummary& step, std::size_t run) { notes[run].add(step); };
   std::optional<DeviceFilm> film;
   if (filmed) {
     try {
-      film.emplace(*context, a, range, overlay.contacts, show, stepped);
+      film.emplace(*context, runs[0], range, overlay.contacts, show, stepped);
     } catch (const Error& error) {  // solver and pictures do not fit together
       if (error.kind() != ErrorKind::no_context) throw;
-      solve_by(device, backend, a, nullptr);
+      solve_by(device, backend, runs);
       context->make_current();  // an engine has one of its own, and leaves none current
     }
   }
   RenderResult result;
-  std::optional<LiveSource::Diverged> diverged;
+  std::vector<LiveSource::Diverged> diverged;
   if (film) {
     result = render_film(*film, painter, sink, watch);
-    if (film->diverged()) diverged = {*film->diverged(), false};
+    if (film->diverged()) diverged.push_back({*film->diverged()});
   } else {
     FrameRange seen = range;
     if (options.resume && overlay.remembers()) seen.first = 0;
-    LiveSource source(std::move(a), std::move(b), seen, show,
-                      TrailRecorder(std::move(trail_points), options.trail_time), stepped);
+    LiveSource source(std::move(runs), seen, show, TrailRecorder(std::move(trail_points), options.trail_time),
+                      stepped, !grid.empty());
     result = render_frames(source, painter, sink, watch, range.first);
     diverged = source.diverged();
   }
@@ -269,12 +253,19 @@ int render(const RenderOptions& asked) {
     write_stderr(fmt::format("{:.1f} s (simulating {:.1f}, drawing {:.1f}, encoding {:.1f}) · {} · {}{}\n",
                              result.times.total, result.times.simulate, result.times.draw,
                              result.times.encode, context->name(), painter.gl_renderer(), device.words()));
-    write_notes(notes.lines());
-    if (notes_b)
-      for (const std::string& line : notes_b->lines()) write_notes({options.ab + ": " + line});
+    for (std::size_t run = 0; run < notes.size(); ++run) {
+      const std::string name = asked_runs.name(run);
+      for (const std::string& line : notes[run].lines())
+        write_notes({(name.empty() ? "" : name + ": ") + line});
+    }
   }
-  if (diverged)
-    throw diverged_error(options.scene + (diverged->in_b ? " with " + options.ab : ""), diverged->step);
+  const bool is_result = !grid.empty() && diverged.size() < grid.size();  // it is seen in the picture
+  for (const auto& [step, run] : diverged) {
+    const std::string name = asked_runs.name(run);
+    const Error error = diverged_error(options.scene + (name.empty() ? "" : " with " + name), step);
+    if (!is_result) throw error;
+    if (!options.common.quiet) write_notes({error.what()});
+  }
   return interrupt.exit_code();
 }
 
@@ -293,6 +284,7 @@ void add_render_command(CLI::App& app, Action& action) {
        "pabd render pile -o pile.mp4 --crf 14 --preset slow --quality best",
        "pabd render four_bar -o pen.mp4 --camera front,ortho --trail pen --overlay axes,scale",
        "pabd render stack -o ab.mp4 --ab softer.json --overlay params,series,difference",
+       "pabd render two_boxes -o grid.mp4 --grid contact.N=1,3,8 contact.kappa=10,100",
        "pabd render pyramid -o - --size 640x360 | ffplay -f rawvideo -pixel_format rgb24 "
        "-video_size 640x360 -"},
       options->common);
@@ -335,6 +327,13 @@ void add_render_command(CLI::App& app, Action& action) {
       .option(kPicture, "--ab-view", options->ab_view,
               "side: side by side (default); ghost: B translucent over A", "VIEW")
       ->needs(ab);
+  command
+      .option(kPicture, "--grid", options->grid,
+              fmt::format("a picture of many runs: one for every combination of the values of keys of --set, "
+                          "columns by the first key, rows by the others; {} at most",
+                          kMostCells),
+              "KEY=V1,V2 …")
+      ->excludes(ab);
   command.quality(options->quality,
                   "draft: hard shadows and jagged edges, in a fraction of the time; good (default); best: "
                   "round bodies to a tenth of a pixel");

@@ -29,7 +29,7 @@ std::optional<Frame> SessionSource::next(const Stop& stop) {
     }
     if (stepped_) stepped_(report, false);
   }
-  return make_frame(static_cast<int>(next_++), session_.view(), {}, {});
+  return make_frame(static_cast<int>(next_++), {session_.view()});
 }
 
 }  // namespace pabd

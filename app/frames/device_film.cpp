@@ -63,7 +63,7 @@ std::optional<Frame> DeviceFilm::next(const Stop& stop) {
     if (frame >= range_.first) {
       view_.state = std::make_shared<const State>(now_);
       view_.history = reports_.view();
-      return make_frame(frame, view_, {}, {});
+      return make_frame(frame, {view_});
     }
     if (skipped_) skipped_(frame + 1, view_.report);
   }
@@ -83,7 +83,7 @@ bool DeviceFilm::advance_to(std::int64_t step, const Stop& stop) {
     view_.report = {};
     static_cast<StepSummary&>(view_.report) = made;
     add_report(reports_, made);
-    if (stepped_) stepped_(made, false);
+    if (stepped_) stepped_(made, 0);
   }
   return true;
 }

@@ -97,10 +97,12 @@ std::string theme_help() {
   return out;
 }
 
-FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
-                           const Outlook& outlook, int width, int height, const OverlayChoice& overlay,
-                           const CameraOption& camera, double seconds, const Comparison& comparison)
+FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const Frame& first,
+                           std::size_t run, const Outlook& outlook, int width, int height,
+                           const OverlayChoice& overlay, const CameraOption& camera, double seconds,
+                           const Comparison& comparison)
     : scene_(std::move(scene)),
+      run_(run),
       width_(width),
       height_(height),
       renderer_(context, width, height),
@@ -110,7 +112,7 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
       choice_(overlay),
       camera_option_(camera),
       far_(outlook.far),
-      start_time_(first.state->time),
+      start_time_(first.runs[run].state->time),
       ghost_(comparison.ghost),
       caption_(comparison.caption) {
   data_.scene_name = scene_->name;
@@ -119,16 +121,18 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
   data_.joint_law = &scene_->joint_law;
   data_.caption = caption_;
   data_.details = comparison.details;
-  data_.view = &first;
+  const bool below = !caption_.empty() && !choice_.caption.empty();  // a line below the comparison's
+  if (below) data_.details.emplace_back();
+  data_.view = &first.runs[run];
   data_.from = start_time_;
   data_.to = start_time_ + seconds;
   data_.colors = &colors_;
   data_.contacts_by = choice_.contacts_by;
-  look_at(first, nullptr);  // for the legend's place
+  look_at(first);  // for the legend's place
   std::optional<std::size_t> caption;
   if (!caption_.empty() || !choice_.caption.empty())
-    caption = std::max(comparison.lines, comparison.details.size());
-  set_camera(first, outlook, caption);
+    caption = std::max(comparison.lines, comparison.details.size()) + (below ? 1 : 0);
+  set_camera(first.runs[run], outlook, caption);
   colors_.largest = 0;  // a still shows another moment
 }
 
@@ -146,17 +150,21 @@ void FramePainter::set_camera(const FrameView& first, const Outlook& outlook,
   base_camera_ = EasedCamera(come_near(camera_option_, all, {follow_from_, radius}, aspect, part));
 }
 
-void FramePainter::look_at(const FrameView& view, const FrameView* other) {
-  colors_ = body_colors(view, other, choice_.color, colors_.largest);
+void FramePainter::look_at(const Frame& frame) {
+  double largest = colors_.largest;
+  for (const FrameView& run : frame.runs) largest = std::max(largest, largest_value(run, choice_.color));
+  colors_ = body_colors(frame.runs[run_], choice_.color, largest);
   if (choice_.contacts_by != ContactQuantity::force) return;
-  for (const FrameView* one : {&view, other}) {
-    if (one) largest_force_ = std::max(largest_force_, largest_force(*one->model, one->report));
-  }
+  for (const FrameView& run : frame.runs)
+    largest_force_ = std::max(largest_force_, largest_force(*run.model, run.report));
   data_.force_range = force_range(largest_force_);
 }
 
-void FramePainter::draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
-                        const ConvergenceSpan& span, double time, const BodiesOnDevice* on_device) {
+void FramePainter::draw(const Frame& frame, const BodiesOnDevice* on_device) {
+  const FrameView& view = frame.runs[run_];
+  const FrameView* other = frame.beside(run_);
+  double time = 0;  // of the camera: a run of a grid may have ended
+  for (const FrameView& run : frame.runs) time = std::max(time, run.state->time);
   VisualOptions options;
   options.bonds = choice_.bonds;
   options.contacts = choice_.contacts;
@@ -164,7 +172,7 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
   options.velocities = choice_.marks.velocities;
   options.boxes = choice_.marks.boxes;
   options.looks = looks_of(*scene_, *view.model);
-  look_at(view, other);
+  look_at(frame);
   options.contacts_by = choice_.contacts_by;
   options.force_range = data_.force_range;
   options.values = colors_.values;
@@ -185,11 +193,13 @@ void FramePainter::draw(const FrameView& view, const FrameView* other, std::span
     add_trail(view.trails[k].path, trail_color(k), visual_);
   data_.view = &view;
   data_.to = std::max(data_.to, view.state->time);
-  if (caption_.empty() && !choice_.caption.empty())
-    data_.caption = with_numbers(choice_.caption, *view.state);
+  if (!choice_.caption.empty())
+    (caption_.empty() ? data_.caption : data_.details.back()) = with_numbers(choice_.caption, *view.state);
+  if (!caption_.empty() && view.report.status == StepStatus::non_finite)
+    data_.caption = caption_ + ", diverged";
   data_.other = other;
-  data_.distances = apart;
-  data_.span = &span;
+  data_.distances = frame.apart;
+  data_.span = &frame.span;
   const auto draw_on = [&](const PictureTheme& theme) {
     visual_.theme = data_.theme = &theme;
     renderer_.draw(visual_, overlay_.frame(choice_.panels, data_, &visual_, width_, height_), quality_,

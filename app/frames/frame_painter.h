@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Turns what a frame shows of a run into pixels.
+// Turns what a frame shows of one of its runs into pixels.
 #pragma once
 
 #include <deque>
@@ -9,6 +9,7 @@
 #include <string>
 
 #include "app/frames/camera_option.h"
+#include "app/frames/frame.h"
 #include "app/frames/outlook.h"
 #include "app/overlay/overlay.h"
 #include "app/session/frame_view.h"
@@ -51,7 +52,7 @@ std::string overlay_help();
 const PictureTheme& find_theme(const std::string& name);
 std::string theme_help();  // "studio (light grey), …"
 
-// How a picture shows that there is another run of the same scene.
+// How a picture shows that there are other runs of the same scene.
 struct Comparison {
   std::string caption = {};               // in larger letters; empty: there is none
   std::vector<std::string> details = {};  // lines below it
@@ -67,21 +68,18 @@ struct BodiesOnDevice {
 
 class FramePainter {
  public:
-  // `context` is current and outlives this. Unless the camera says where it is, it shows all of `outlook` in the area that
-  // panels and caption leave free. `seconds`: from the first picture to the end of the last one; 0: not known. Throws
-  // Error(bad_input) when it follows a body that does not exist.
-  FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const FrameView& first,
+  // Of one of the runs of frames. `context` is current and outlives this. Unless the camera says where it is, it shows all of
+  // `outlook` in the area that panels and caption leave free. `seconds`: from the first picture to the end of the last one;
+  // 0: not known. Throws Error(bad_input) when it follows a body that does not exist.
+  FramePainter(GlContext& context, std::shared_ptr<const Scene> scene, const Frame& first, std::size_t run,
                const Outlook& outlook, int width, int height, const OverlayChoice& overlay,
                const CameraOption& camera, double seconds, const Comparison& comparison = {});
 
-  // Draws, and starts copying the picture back. `other`: the other run, or null; `apart`: how far the two are apart. `span`:
-  // of all steps so far.
-  // `time`: of the camera; s. `on_device`: where the bodies are, if not in the view; marks that need their places are not
-  // drawn then.
-  void draw(const FrameView& view, const FrameView* other, std::span<const DistancePoint> apart,
-            const ConvergenceSpan& span, double time, const BodiesOnDevice* on_device = nullptr);
+  // Draws, and starts copying the picture back. `on_device`: where the bodies are, if not in the view; marks that need their
+  // places are not drawn then.
+  void draw(const Frame& frame, const BodiesOnDevice* on_device = nullptr);
   // A frame that is not drawn: colours take its values into their range, as draw() does.
-  void look_at(const FrameView& view, const FrameView* other);
+  void look_at(const Frame& frame);
   // Of later pictures.
   void set_quality(const RenderQuality& quality) { quality_ = quality; }
   int queued() const { return renderer_.queued() + static_cast<int>(mattes_.size()); }
@@ -93,6 +91,7 @@ class FramePainter {
   void set_camera(const FrameView& first, const Outlook& outlook, std::optional<std::size_t> caption);
 
   std::shared_ptr<const Scene> scene_;
+  std::size_t run_;
   int width_, height_;
   Renderer renderer_;
   Overlay overlay_;

@@ -35,16 +35,24 @@ const Params& params_at(const Timeline& timeline, std::size_t i) {
 
 }  // namespace
 
-Frame make_frame(int number, FrameView a, std::optional<FrameView> b, const DistanceList& apart) {
-  if (b) {
-    a.label = std::string("A");
-    b->label = std::string("B");
+Frame make_frame(int number, std::vector<FrameView> runs, const DistanceList& apart) {
+  const bool compared = runs.size() == 2;
+  if (compared) {
+    runs[0].label = std::string("A");
+    runs[1].label = std::string("B");
   }
-  return {number, std::move(a), std::move(b), {}, apart.view()};
+  return {number, std::move(runs), compared, {}, apart.view()};
 }
 
-RunSource::RunSource(Run a, std::optional<Run> b, const TrailRecorder& trails) : a_{std::move(a), trails} {
-  if (b) b_ = Shown{std::move(*b), trails};
+std::vector<Run> runs_of(Run a, std::optional<Run> b) {
+  std::vector<Run> out;
+  out.push_back(std::move(a));
+  if (b) out.push_back(*std::move(b));
+  return out;
+}
+
+RunSource::RunSource(std::vector<Run> runs, const TrailRecorder& trails, bool grid) : grid_(grid) {
+  for (Run& run : runs) shown_.push_back({std::move(run), trails});
 }
 
 FrameView RunSource::Shown::view() const {
@@ -90,12 +98,14 @@ FrameView RunSource::Shown::view_at(double time) const {
   return out;
 }
 
-Frame RunSource::frame(int number, FrameView a, std::optional<FrameView> b) const {
-  Frame out = make_frame(number, std::move(a), std::move(b), apart_);
-  out.span = a_.span;
-  if (!b_) return out;
-  out.span = {std::max(a_.span.iterations, b_->span.iterations), std::min(a_.span.lo, b_->span.lo),
-              std::max(a_.span.hi, b_->span.hi)};
+Frame RunSource::frame(int number, std::vector<FrameView> views) const {
+  Frame out = grid_ ? Frame{.number = number, .runs = std::move(views), .apart = {}}
+                    : make_frame(number, std::move(views), apart_);
+  for (const Shown& shown : shown_) {
+    const ConvergenceSpan& span = shown.span;
+    out.span = {std::max(out.span.iterations, span.iterations), std::min(out.span.lo, span.lo),
+                std::max(out.span.hi, span.hi)};
+  }
   return out;
 }
 
@@ -104,7 +114,8 @@ void RunSource::drop_old_distances() {
 }
 
 void RunSource::measure_distance() {
-  const Run &a = a_.run, &b = b_->run;
+  if (grid_ || shown_.size() != 2) return;
+  const Run &a = shown_[0].run, &b = shown_[1].run;
   if (!at_common_time(a, b)) return;
   const StateDistance apart = state_distance(a.state(), b.state());
   apart_.push_back({a.state().time, apart.position, apart.angle});
@@ -112,69 +123,93 @@ void RunSource::measure_distance() {
 
 // ---- as it is made ----
 
-LiveSource::LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Skipped skipped,
-                       const TrailRecorder& trails, Stepped stepped)
-    : RunSource(std::move(a), std::move(b), trails),
+LiveSource::LiveSource(std::vector<Run> runs, const FrameRange& range, Skipped skipped,
+                       const TrailRecorder& trails, Stepped stepped, bool grid)
+    : RunSource(std::move(runs), trails, grid),
       range_(range),
       skipped_(std::move(skipped)),
       stepped_(std::move(stepped)),
-      first_step_(a_.run.state().step) {
-  for (Shown* shown : {&a_, b_ ? &*b_ : nullptr}) {
-    if (!shown) continue;
-    shown->trails.add(shown->run.model(), shown->run.state());
-    shown->remember();
+      first_step_(shown_.front().run.state().step) {
+  for (Shown& shown : shown_) {
+    shown.trails.add(shown.run.model(), shown.run.state());
+    shown.remember();
   }
 }
 
 std::optional<Frame> LiveSource::next(const Stop& stop) {
-  a_.run.stop_when(stop);
-  if (b_) b_->run.stop_when(stop);
+  for (Shown& shown : shown_) shown.run.stop_when(stop);
   drop_old_distances();
   while (next_ < range_.count) {
     const int frame = next_++;
-    const double h = a_.run.params().h, time = range_.time(frame);
-    const std::int64_t steps = steps_until(time, h);
-    const double left = time - h * static_cast<double>(steps);
-    const bool between = !range_.pace.is_real_time() && left > forgiven(time, h);
-    if (!advance_to(first_step_ + steps + (between ? 1 : 0), stop)) return {};
-    a_.widen_span();
-    if (b_) b_->widen_span();
-    if (frame >= range_.first) {
-      const auto view = [&](const Shown& shown) {
-        return between ? shown.view_at(a_.run.state().time - h + left) : shown.view();
-      };
-      std::optional<FrameView> b;
-      if (b_) b = view(*b_);
-      return RunSource::frame(frame, view(a_), std::move(b));
-    }
-    if (skipped_) skipped_(frame + 1, a_.run.report());
+    const double time = range_.time(frame);
+    if (!advance_to(time, stop)) return {};
+    for (Shown& shown : shown_) shown.widen_span();
+    if (frame >= range_.first) return RunSource::frame(frame, views_at(time));
+    if (skipped_) skipped_(frame + 1, shown_.front().run.report());
   }
   return {};
 }
 
-bool LiveSource::advance_to(std::int64_t step, const Stop& stop) {
+// Which step a time is in, and how far; of a run from the first frame on.
+LiveSource::Place LiveSource::place(const Run& run, double time) const {
+  const double h = run.params().h;
+  const std::int64_t steps = steps_until(time, h);
+  const double left = time - h * static_cast<double>(steps);
+  const bool between = !range_.pace.is_real_time() && left > forgiven(time, h);
+  return {first_step_ + steps + (between ? 1 : 0), between ? std::optional(left - h) : std::nullopt};
+}
+
+std::vector<FrameView> LiveSource::views_at(double time) const {
+  std::vector<FrameView> out;
+  const Run& first = shown_[leader_].run;
+  const auto before_end = place(first, time).before_end;
+  for (const Shown& shown : shown_) {
+    const bool on_the_way = before_end && !ended(shown);
+    out.push_back(on_the_way ? shown.view_at(first.state().time + *before_end) : shown.view());
+  }
+  return out;
+}
+
+// The first run that has not ended leads.
+bool LiveSource::advance_to(double time, const Stop& stop) {
+  for (; leader_ < shown_.size(); ++leader_) {
+    Shown& leader = shown_[leader_];
+    while (!ended(leader) && leader.run.state().step < place(leader.run, time).step) {
+      if (!advance(stop)) return false;
+    }
+    if (!ended(leader)) return true;
+  }
+  leader_ = 0;
+  return false;
+}
+
+bool LiveSource::advance(const Stop& stop) {
   const auto made = [this](Shown& shown) {
     add_report(shown.reports, shown.run.report().summary());
-    if (stepped_) stepped_(shown.run.report(), &shown != &a_);
+    if (stepped_) stepped_(shown.run.report(), static_cast<std::size_t>(&shown - shown_.data()));
     if (!range_.pace.is_real_time()) shown.remember();
     shown.trails.add(shown.run.model(), shown.run.state());
   };
-  while (a_.run.state().step < step) {
-    if (stop() || !a_.run.advance()) return false;
-    made(a_);
-    if (!b_) continue;
-    if (!follow(a_.run, b_->run, [&] { made(*b_); })) return false;
-    measure_distance();
+  const auto goes_on = [&](const Shown& shown) { return grid_ && ended(shown); };
+  Shown& leader = shown_[leader_];
+  if (stop()) return false;
+  if (!leader.run.advance()) return goes_on(leader);
+  made(leader);
+  for (std::size_t k = leader_ + 1; k < shown_.size(); ++k) {
+    Shown& shown = shown_[k];
+    if (ended(shown)) continue;
+    if (!follow(leader.run, shown.run, [&] { made(shown); }) && !goes_on(shown)) return false;
   }
+  measure_distance();
   return true;
 }
 
-std::optional<LiveSource::Diverged> LiveSource::diverged() const {
-  for (const Shown* shown : {&a_, b_ ? &*b_ : nullptr}) {
-    if (shown && shown->run.report().status == StepStatus::non_finite)
-      return Diverged{shown->run.report().summary(), shown != &a_};
+std::vector<LiveSource::Diverged> LiveSource::diverged() const {
+  std::vector<Diverged> out;
+  for (std::size_t k = 0; k < shown_.size(); ++k) {
+    if (ended(shown_[k])) out.push_back({shown_[k].run.report().summary(), k});
   }
-  return {};
+  return out;
 }
 
 // ---- as it was made ----
@@ -195,10 +230,10 @@ std::vector<std::size_t> moments_of_frames(const Timeline& timeline, const PastR
   return out;
 }
 
-PastSource::PastSource(Run a, std::optional<Run> b, const PastRange& range, bool iterations, bool contacts,
+PastSource::PastSource(std::vector<Run> runs, const PastRange& range, bool iterations, bool contacts,
                        const TrailRecorder& trails, bool bodies)
-    : RunSource(std::move(a), std::move(b), trails), moments_(moments_of_frames(a_.run.timeline(), range)) {
-  const Timeline& timeline = a_.run.timeline();
+    : RunSource(std::move(runs), trails), moments_(moments_of_frames(shown_.front().run.timeline(), range)) {
+  const Timeline& timeline = shown_.front().run.timeline();
   const std::size_t first = moments_.front();
   const bool regular = even(timeline, first, moments_.back());
   for (const std::size_t m : moments_) {
@@ -207,21 +242,22 @@ PastSource::PastSource(Run a, std::optional<Run> b, const PastRange& range, bool
                                                 timeline[first + 1].params->h * static_cast<double>(m - first)
                                           : timeline[m].report.time);
   }
-  last_a_ = first;
-  a_.run.observe(iterations, contacts, bodies);
-  if (!b_) return;
-  last_b_ = moment_in_step(timeline, first, b_->run.timeline());
-  b_->run.observe(iterations, contacts, bodies);
+  for (Shown& shown : shown_) {
+    const Timeline& own = shown.run.timeline();
+    last_.push_back(&own == &timeline ? first : moment_in_step(timeline, first, own));
+    shown.run.observe(iterations, contacts, bodies);
+  }
 }
 
-// A to a moment. B is taken along from each moment to the next, as their distance is measured at all of them.
+// The first run to a moment. Others are taken along from each moment to the next, as their distance is measured at all of
+// them.
 bool PastSource::go_to(std::size_t moment, const Stop& stop) {
-  Run& a = a_.run;
+  Run& a = shown_.front().run;
+  const bool alone = shown_.size() == 1;
   while (a.cursor() < moment) {
     if (stop()) return false;
-    a.seek(b_ ? a.timeline().next_kept(a.cursor()) : moment);
-    if (!b_) continue;
-    rejoin(a, b_->run);
+    a.seek(alone ? moment : a.timeline().next_kept(a.cursor()));
+    for (std::size_t k = 1; k < shown_.size(); ++k) rejoin(a, shown_[k].run);
     measure_distance();
   }
   return true;
@@ -230,28 +266,26 @@ bool PastSource::go_to(std::size_t moment, const Stop& stop) {
 std::optional<Frame> PastSource::next(const Stop& stop) {
   if (next_ == count()) return {};
   if (next_ == 0) {
-    a_.run.seek(last_a_);
-    if (b_) b_->run.seek(last_b_);
+    for (std::size_t k = 0; k < shown_.size(); ++k) shown_[k].run.seek(last_[k]);
   }
   drop_old_distances();
   const int frame = next_++;
   if (!go_to(moments_[static_cast<std::size_t>(frame)], stop)) return {};
-  const auto view = [](Shown& shown, std::size_t& last) {
+  std::vector<FrameView> views;
+  for (std::size_t k = 0; k < shown_.size(); ++k) {
+    Shown& shown = shown_[k];
     const Run& run = shown.run;
-    for (std::size_t i = last + 1; i <= run.cursor(); ++i) {
+    for (std::size_t i = last_[k] + 1; i <= run.cursor(); ++i) {
       if (!run.timeline()[i].start) add_report(shown.reports, run.timeline()[i].report);
     }
-    last = std::max(last, run.cursor());
+    last_[k] = std::max(last_[k], run.cursor());
     shown.widen_span();
     shown.trails.add(run.model(), run.state());
-    FrameView out = shown.view();
-    out.params = params_at(run.timeline(), run.cursor());
-    out.kappa = resolve_kappa(*out.model, out.params);
-    return out;
-  };
-  std::optional<FrameView> b;
-  if (b_) b = view(*b_, last_b_);
-  return RunSource::frame(frame, view(a_, last_a_), std::move(b));
+    FrameView& view = views.emplace_back(shown.view());
+    view.params = params_at(run.timeline(), run.cursor());
+    view.kappa = resolve_kappa(*view.model, view.params);
+  }
+  return RunSource::frame(frame, std::move(views));
 }
 
 }  // namespace pabd

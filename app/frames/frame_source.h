@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// Where frames come from: a run as it is simulated, the past of one, or a recording, each alone or with a second run
+// Where frames come from: a run as it is simulated, the past of one, or a recording, each alone or with other runs
 // beside it. All give the same frames, by one rule of which step belongs to a time (app/session/step_at_time.h).
 #pragma once
 
@@ -7,27 +7,11 @@
 #include <optional>
 #include <vector>
 
+#include "app/frames/frame.h"
 #include "app/frames/pace.h"
-#include "app/plots/figures/convergence.h"
-#include "app/plots/figures/difference.h"
-#include "app/session/frame_view.h"
 #include "app/session/run.h"
 
 namespace pabd {
-
-using DistanceList = SharedList<DistancePoint>;
-
-// What one picture shows: a value, as its views are.
-struct Frame {
-  int number = 0;  // from 0
-  FrameView a;
-  std::optional<FrameView> b;  // a second run at the time of the first one
-  ConvergenceSpan span = {};   // of the steps up to here whose iterations are recorded, of both runs
-  DistanceList::View apart;    // how far the two are from each other at common times; oldest first
-};
-
-// Names the two A and B where there are two.
-Frame make_frame(int number, FrameView a, std::optional<FrameView> b, const DistanceList& apart);
 
 class FrameSource {
  public:
@@ -40,7 +24,10 @@ class FrameSource {
   virtual std::optional<Frame> next(const Stop& stop) = 0;
 };
 
-// What LiveSource and PastSource have in common: one run or two in step, with what plots and trails show of their past.
+// A list of one, of what cannot be copied; of two: those that are compared.
+std::vector<Run> runs_of(Run a, std::optional<Run> b = {});
+
+// What LiveSource and PastSource have in common: runs in step, with what plots and trails show of their past.
 class RunSource : public FrameSource {
  protected:
   struct Shown {
@@ -56,16 +43,16 @@ class RunSource : public FrameSource {
     State before = {}, now = {};
   };
 
-  RunSource(Run a, std::optional<Run> b, const TrailRecorder& trails);
+  RunSource(std::vector<Run> runs, const TrailRecorder& trails, bool grid = false);
 
   // Bounds the list of distances; to be called before each frame.
   void drop_old_distances();
-  Frame frame(int number, FrameView a, std::optional<FrameView> b) const;
-  // Adds how far the two runs are apart, if they are at a common time.
+  Frame frame(int number, std::vector<FrameView> views) const;
+  // Adds how far two runs are apart, if they are at a common time.
   void measure_distance();
 
-  Shown a_;
-  std::optional<Shown> b_;
+  std::vector<Shown> shown_;  // one at least
+  const bool grid_;
   DistanceList apart_;
   int next_ = 0;  // frame
 };
@@ -80,8 +67,8 @@ struct FrameRange {
   double time(int frame) const { return pace.simulated(frame / fps); }  // simulated since the first frame; s
 };
 
-// Is called after each step that was made; `of_b`: one of the second run.
-using Stepped = std::function<void(const StepSummary& step, bool of_b)>;
+// Is called after each step that was made, by the number of its run.
+using Stepped = std::function<void(const StepSummary& step, std::size_t run)>;
 
 // Frames that are simulated as they are asked for. In slow motion bodies, with their contacts, are on their way from one step
 // to the next.
@@ -89,27 +76,37 @@ class LiveSource : public RunSource {
  public:
   using Skipped = std::function<void(int frames, const StepSummary& step)>;
 
-  // The runs go on from where they are and need no past (kNoPast). `skipped` is called in the thread that asks for frames
-  // while frames before `range.first` are simulated, `stepped` in the same. `trails`: what leaves a trail, in every step.
-  LiveSource(Run a, std::optional<Run> b, const FrameRange& range, Skipped skipped = {},
-             const TrailRecorder& trails = {}, Stepped stepped = {});
+  // The runs go on from where they are, all from the same step, and need no past (kNoPast). `skipped` is called in the thread
+  // that asks for frames while frames before `range.first` are simulated, `stepped` in the same. `trails`: what leaves a
+  // trail, in every step. `grid`: two runs are no comparison, and a run that diverges stays where it is until all have.
+  LiveSource(std::vector<Run> runs, const FrameRange& range, Skipped skipped = {},
+             const TrailRecorder& trails = {}, Stepped stepped = {}, bool grid = false);
 
   std::optional<Frame> next(const Stop& stop) override;
 
-  // The step that diverged, and whether it was one of the second run.
+  // A step that diverged, and the number of its run.
   struct Diverged {
     StepSummary step;
-    bool in_b = false;
+    std::size_t run = 0;
   };
-  std::optional<Diverged> diverged() const;
+  std::vector<Diverged> diverged() const;
 
  private:
-  bool advance_to(std::int64_t step, const Stop& stop);
+  struct Place {
+    std::int64_t step = 0;
+    std::optional<double> before_end = {};  // from the end of that step, negative; s; none: it is the end
+  };
+  Place place(const Run& run, double time) const;
+  std::vector<FrameView> views_at(double time) const;
+  bool advance_to(double time, const Stop& stop);
+  bool advance(const Stop& stop);
+  static bool ended(const Shown& shown) { return shown.run.report().status == StepStatus::non_finite; }
 
   const FrameRange range_;
   const Skipped skipped_;
   const Stepped stepped_;
   const std::int64_t first_step_;  // a state that a run continues from may be at any step
+  std::size_t leader_ = 0;         // whose time is that of the frames
 };
 
 // Which part of the past, in seconds of the simulation; a negative end means the first or last moment.
@@ -129,7 +126,7 @@ class PastSource : public RunSource {
  public:
   // `iterations`, `contacts`, `bodies`: what reports contain. The parameters of a frame are those of its last step. `trails`: what
   // leaves a trail, from frame to frame.
-  PastSource(Run a, std::optional<Run> b, const PastRange& range, bool iterations, bool contacts,
+  PastSource(std::vector<Run> runs, const PastRange& range, bool iterations, bool contacts,
              const TrailRecorder& trails = {}, bool bodies = false);
 
   std::optional<Frame> next(const Stop& stop) override;
@@ -143,7 +140,7 @@ class PastSource : public RunSource {
 
   std::vector<std::size_t> moments_;
   std::vector<double> times_;
-  std::size_t last_a_, last_b_ = 0;  // moments up to which the reports have them
+  std::vector<std::size_t> last_;  // moment of each run up to which its reports have them
 };
 
 }  // namespace pabd

@@ -52,6 +52,7 @@ PngText common_text(const Scene& scene, const ViewFacts& facts, const FrameView&
   if (facts.color_by != "body") view_json["color_by"] = facts.color_by;
   if (facts.contacts_by != "gap") view_json["contacts_by"] = facts.contacts_by;
   if (!facts.trails.empty()) view_json["trails"] = facts.trails;
+  if (!facts.grid.empty()) view_json["grid"] = facts.grid;
   const BondLaw* joints = a.model->joints.empty() ? nullptr : &scene.joint_law;
   if (facts.quality != "good") view_json["quality"] = facts.quality;
   if (b) view_json["ab"] = ab_view;

@@ -7,7 +7,8 @@
 //   Parameters    JSON: what --set can tune, with the stiffness that "auto" came to
 //   Start         hash of the state at frame 0
 //   View          JSON: size, frames a second, overlay, camera as on the command line; quality and
-//                 colours, unless they are "good", "body" and "gap"
+//                 colours, unless they are "good", "body" and "gap"; with --grid, what it was given.
+//                 Parameters are those of the first run then
 //   B patch       with --ab: the patch that leads from A's parameters to B's, and how both are shown
 //   B parameters  with --ab: what B has
 //   GL_RENDERER   the driver that drew it
@@ -33,6 +34,7 @@ struct ViewFacts {
   std::string theme = "studio";
   std::string color_by = "body", contacts_by = "gap";
   std::vector<std::string> trails = {};  // as --trail takes them
+  std::string grid = {};
 };
 
 // {"gravity": …, "time_step": …, "solver": …, "contact": …}; `kappa` is the resolved stiffness in J. With

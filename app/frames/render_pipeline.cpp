@@ -19,7 +19,7 @@ double seconds_since(Clock::time_point start) {
 // `next`: the frame to be drawn, none after the last one. `draw` starts copying its picture back. `result` gets the frames and
 // how long drawing took.
 template <class Next, class Draw>
-void draw_frames(const Next& next, const Draw& draw, AbPainter& painter, AsyncSink& sink,
+void draw_frames(const Next& next, const Draw& draw, RunsPainter& painter, AsyncSink& sink,
                  const RenderWatch& watch, RenderResult& result) {
   Image image;
 
@@ -38,7 +38,7 @@ void draw_frames(const Next& next, const Draw& draw, AbPainter& painter, AsyncSi
     draw(*frame);
     result.times.draw += seconds_since(begin);
     if (painter.queued() > 1) deliver();
-    watch.progress(frame->number + 1, frame->a.report);
+    watch.progress(frame->number + 1, frame->a().report);
   }
   while (painter.queued() > 0) deliver();
 }
@@ -54,8 +54,8 @@ RenderResult finished(RenderResult result, AsyncSink& sink, Clock::time_point st
 
 }  // namespace
 
-RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink, const RenderWatch& watch,
-                           int first) {
+RenderResult render_frames(FrameSource& source, RunsPainter& painter, AsyncSink& sink,
+                           const RenderWatch& watch, int first) {
   const auto start = Clock::now();
   RenderResult result;
   FrameThread frames(source, watch.stop);
@@ -63,7 +63,7 @@ RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& s
     auto frame = frames.next(true);
     while (frame && frame->number < first && !watch.stop()) {
       painter.look_at(*frame);
-      watch.progress(frame->number + 1, frame->a.report);
+      watch.progress(frame->number + 1, frame->a().report);
       frame = frames.next(true);
     }
     return frame;
@@ -74,7 +74,7 @@ RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& s
   return finished(result, sink, start, frames.busy_seconds());
 }
 
-RenderResult render_film(DeviceFilm& film, AbPainter& painter, AsyncSink& sink, const RenderWatch& watch) {
+RenderResult render_film(DeviceFilm& film, RunsPainter& painter, AsyncSink& sink, const RenderWatch& watch) {
   const auto start = Clock::now();
   RenderResult result;
   double simulated = 0;

@@ -8,10 +8,10 @@
 // its own memory, the first two stages are one.
 #pragma once
 
-#include "app/frames/ab_painter.h"
 #include "app/frames/device_film.h"
 #include "app/frames/frame_source.h"
 #include "app/frames/frame_text.h"
+#include "app/frames/runs_painter.h"
 #include "render/output/async_sink.h"
 
 namespace pabd {
@@ -37,11 +37,11 @@ struct RenderWatch {
 
 // Renders the frames of a source and publishes the output, also when it is stopped early, with the frames that are
 // complete. Frames before `first` are looked at, but not drawn. Throws what a stage threw.
-RenderResult render_frames(FrameSource& source, AbPainter& painter, AsyncSink& sink, const RenderWatch& watch,
-                           int first = 0);
+RenderResult render_frames(FrameSource& source, RunsPainter& painter, AsyncSink& sink,
+                           const RenderWatch& watch, int first = 0);
 
 // The same for a film, whose steps are made in the caller's thread between the pictures.
-RenderResult render_film(DeviceFilm& film, AbPainter& painter, AsyncSink& sink, const RenderWatch& watch);
+RenderResult render_film(DeviceFilm& film, RunsPainter& painter, AsyncSink& sink, const RenderWatch& watch);
 
 // Options of the sink for these frames: size, speed, and the text of every PNG (`common`). `start` is what frame 0
 // shows. Frames are written from `first_written` on (0: those before `range.first` are simulated, but not written).

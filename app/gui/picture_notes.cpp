@@ -80,7 +80,7 @@ void color_bar(const GuiFrame& f, float right, float top, const std::string& tit
 
 void legends(const GuiFrame& f, const Rect& view) {
   if (view.w < 220 * f.unit) return;
-  const BodyColors colors = body_colors(f.sim.a, f.sim.b ? &*f.sim.b : nullptr, f.ui.color);
+  const BodyColors colors = shown_colors(f.sim, f.sim.a, f.ui.color);
   const float right = static_cast<float>(view.right()) - f.px(12);
   float top = static_cast<float>(view.y) + f.px(12);
   if (!colors.note.empty()) note(f, {right, top}, colors.note, {1, 0});

@@ -26,9 +26,9 @@ const char* contacts_words(const UiState& ui) {
 }
 
 Frame frame_of(const Snapshot& sim) {
-  std::optional<FrameView> b;
-  if (sim.b) b = *sim.b;
-  return make_frame(static_cast<int>(sim.a.state->step), sim.a, std::move(b), {});
+  std::vector<FrameView> runs = {sim.a};
+  if (sim.b) runs.push_back(*sim.b);
+  return make_frame(static_cast<int>(sim.a.state->step), std::move(runs));
 }
 
 // The scene with these parameters: what a picture tells of frame 0.
@@ -97,8 +97,9 @@ std::vector<std::uint8_t> scene_picture(const Snapshot& sim, const UiState& ui, 
   overlay.theme = ui.theme;
   overlay.color_by(ui.color);
   overlay.show_contacts_by(contact_quantity(facts.contacts_by));
-  AbPainter painter(context, sim.scene, frame, ui.side_by_side ? AbView::side : AbView::ghost, width, height,
-                    overlay, parse_camera(facts.camera), sim.b ? sim.b->scene : nullptr);
+  RunsPainter painter(context, {sim.scene, sim.b ? sim.b->scene : sim.scene}, frame,
+                      {ui.side_by_side ? AbView::side : AbView::ghost}, width, height, overlay,
+                      parse_camera(facts.camera));
   painter.draw(frame);
   Image image;
   painter.fetch(image);

@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "app/frames/ab_painter.h"
+#include "app/frames/runs_painter.h"
 #include "app/frames/frame_source.h"
 #include "app/gui/ui_state.h"
 #include "app/workbench/runner.h"

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Videos of the past: see pictures.h.
 //
-//   Runner (a copy of the runs) → PastSource (FrameThread) → AbPainter (here) → AsyncSink (a thread) → file
+//   Runner (a copy of the runs) → PastSource (FrameThread) → RunsPainter (here) → AsyncSink (a thread) → file
 #include <fmt/format.h>
 
 #include <cmath>
@@ -27,10 +27,10 @@ struct Recorder::Job {
   CameraOption camera;
   AbView ab_view = AbView::ghost;
   std::future<RunCopies> runs;
-  std::shared_ptr<const Scene> scene, scene_b;
+  std::vector<std::shared_ptr<const Scene>> scenes;
   std::unique_ptr<PastSource> source;
   std::unique_ptr<FrameThread> frames;
-  std::unique_ptr<AbPainter> painter;
+  std::unique_ptr<RunsPainter> painter;
   std::unique_ptr<AsyncSink> sink;
   std::future<void> finished;
   Image image;
@@ -101,12 +101,12 @@ void Recorder::start(const command::Record& record, const Snapshot& sim, const U
 
 void Recorder::begin(RunCopies runs) {
   Job& job = *job_;
-  job.scene = runs.a.shared_scene();
-  if (runs.b) job.scene_b = runs.b->shared_scene();
+  std::vector<Run> list = runs_of(std::move(runs.a), std::move(runs.b));
+  for (const Run& run : list) job.scenes.push_back(run.shared_scene());
   const OverlayChoice& overlay = job.overlay;
   job.source = std::make_unique<PastSource>(
-      std::move(runs.a), std::move(runs.b), PastRange{job.record.from, job.record.to, job.record.fps},
-      overlay.needs_iterations(), overlay.needs_contacts(), job.trails, overlay.needs_bodies());
+      std::move(list), PastRange{job.record.from, job.record.to, job.record.fps}, overlay.needs_iterations(),
+      overlay.needs_contacts(), job.trails, overlay.needs_bodies());
   job.frames = std::make_unique<FrameThread>(*job.source);
 }
 
@@ -115,14 +115,13 @@ void Recorder::open(const Frame& first) {
   Job& job = *job_;
   const command::Record& r = job.record;
   if (job.view) {
-    job.camera_text = camera_words(*job.view, *first.a.model, *first.a.state);
+    job.camera_text = camera_words(*job.view, *first.a().model, *first.a().state);
     job.camera = parse_camera(job.camera_text);
   }
   std::vector<std::string> trails;
   for (const TrailPoint& point : job.trails.points()) trails.push_back(trail_words(point));
-  job.painter =
-      std::make_unique<AbPainter>(context_, job.scene, first, job.ab_view, r.width, r.height, job.overlay,
-                                  job.camera, job.scene_b, job.source->count() / r.fps);
+  job.painter = std::make_unique<RunsPainter>(context_, job.scenes, first, Arrangement{job.ab_view}, r.width,
+                                              r.height, job.overlay, job.camera, job.source->count() / r.fps);
   const ViewFacts facts{.width = r.width,
                         .height = r.height,
                         .fps = r.fps,
@@ -133,8 +132,8 @@ void Recorder::open(const Frame& first) {
                         .color_by = kColorNames[static_cast<std::size_t>(job.overlay.color)],
                         .contacts_by = kContactQuantities[static_cast<std::size_t>(job.overlay.contacts_by)],
                         .trails = std::move(trails)};
-  const PngText common = common_text(*job.scene, facts, first.a, first.b ? &*first.b : nullptr,
-                                     job.ab_view == AbView::side ? "side" : "ghost", job.scene_b.get());
+  const PngText common = common_text(*job.scenes.front(), facts, first.a(), first.b(),
+                                     job.ab_view == AbView::side ? "side" : "ghost", job.scenes.back().get());
   SinkOptions options;
   options.width = r.width;
   options.height = r.height;

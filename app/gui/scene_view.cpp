@@ -35,8 +35,7 @@ void build(const Snapshot& sim, Side side, const UiState& ui, VisualScene& out) 
   options.velocities = ui.marks.velocities;
   options.boxes = ui.marks.boxes;
   options.looks = looks_of(*sim.scene, *run.model);
-  const FrameView* other = sim.b ? side == Side::b ? &sim.a : &*sim.b : nullptr;
-  BodyColors colors = body_colors(run, other, ui.color);
+  BodyColors colors = shown_colors(sim, run, ui.color);
   options.values = std::move(colors.values);
   options.value_range = colors.range;
   if (ui.selection.index >= 0) select(ui.selection, options);
@@ -53,6 +52,12 @@ ValueRange shown_forces(const Snapshot& sim) {
   double largest = largest_force(*sim.a.model, sim.a.report);
   if (sim.b) largest = std::max(largest, largest_force(*sim.b->model, sim.b->report));
   return force_range(largest);
+}
+
+BodyColors shown_colors(const Snapshot& sim, const FrameView& run, ColorQuantity quantity) {
+  double largest = largest_value(sim.a, quantity);
+  if (sim.b) largest = std::max(largest, largest_value(*sim.b, quantity));
+  return body_colors(run, quantity, largest);
 }
 
 bool SceneView::draw(const Snapshot& sim, const UiState& ui, const std::vector<Trail>& trails,

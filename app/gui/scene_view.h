@@ -36,6 +36,8 @@ class SceneView {
 
 // Of the forces of contacts in both simulations.
 ValueRange shown_forces(const Snapshot& sim);
+// Of its bodies, in a range for both runs.
+BodyColors shown_colors(const Snapshot& sim, const FrameView& run, ColorQuantity quantity);
 
 // Points the camera so that all spots are seen as `like` looks; until somebody moves it, reframe() keeps it so.
 void frame_spots(std::shared_ptr<const std::vector<Spot>> spots, const CameraPose& like, const Viewport& port,

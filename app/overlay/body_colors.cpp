@@ -57,12 +57,15 @@ ColorQuantity color_quantity(const std::string& name) {
   return ColorQuantity::body;
 }
 
-BodyColors body_colors(const FrameView& run, const FrameView* other, ColorQuantity quantity, double largest) {
+double largest_value(const FrameView& run, ColorQuantity quantity) {
+  return quantity == ColorQuantity::body ? 0 : largest_of(values_of(run, quantity));
+}
+
+BodyColors body_colors(const FrameView& run, ColorQuantity quantity, double largest) {
   BodyColors out;
   if (quantity == ColorQuantity::body) return out;
   out.values = values_of(run, quantity);
   out.largest = std::max(largest, largest_of(out.values));
-  if (other) out.largest = std::max(out.largest, largest_of(values_of(*other, quantity)));
   const double hi = out.largest;
   if (quantity == ColorQuantity::component) {
     out.title = "bodies that hang together";

@@ -24,16 +24,18 @@ inline bool needs_body_reports(ColorQuantity quantity) {
 
 struct BodyColors {
   std::vector<double> values;  // NaN: grey
-  ValueRange range;            // the same for both simulations
+  ValueRange range;            // the same for all runs of a picture
   double largest = 0;          // that the range is made for
   std::string title;           // with its unit
   std::string note;            // in place of a colour bar; empty: there is one
 };
 
+// The largest of the numbers; 0 where there are none.
+double largest_value(const FrameView& run, ColorQuantity quantity);
+
 // Empty values for ColorQuantity::body; NaN where the step's report does not hold them. The range ends at 1, 2 or 5 times a
-// power of ten above all values of `run`, of `other` (null: there is none) and above `largest`: that of the frame before, for
-// a range that never shrinks.
-BodyColors body_colors(const FrameView& run, const FrameView* other, ColorQuantity quantity,
-                       double largest = 0);
+// power of ten above all values of `run` and above `largest`: of runs beside it, and of the frame before, for a range that
+// never shrinks.
+BodyColors body_colors(const FrameView& run, ColorQuantity quantity, double largest = 0);
 
 }  // namespace pabd

@@ -66,4 +66,10 @@ std::vector<std::string> difference_words(const Params& a, double kappa_a, const
   return lines;
 }
 
+std::string setting_words(const std::string& key, const std::string& text, const Params& params,
+                          double kappa) {
+  const ParameterRow* row = find_parameter(key);
+  return row ? rich_symbol(*row) + " " + full_words(*row, params, kappa) : key + " " + text;
+}
+
 }  // namespace pabd

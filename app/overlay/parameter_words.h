@@ -15,4 +15,8 @@ namespace pabd {
 std::vector<std::string> difference_words(const Params& a, double kappa_a, const Params& b, double kappa_b,
                                           ParameterTable table = parameter_table());
 
+// One of them with its unit: "κ 50 J"; a key that is none of them as --set takes it: "KEY TEXT". Rich text.
+std::string setting_words(const std::string& key, const std::string& text, const Params& params,
+                          double kappa);
+
 }  // namespace pabd

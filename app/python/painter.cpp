@@ -40,9 +40,9 @@ Painter::Painter(const std::shared_ptr<const Scene>& scene, const PictureOptions
   context_ = create_headless_context(Backend::automatic, attempts);
   const CurrentContext current(*context_);
   // Cameras that go along with a body, or round the scene, begin where the scene does, whenever a picture is taken.
-  const Frame start = make_frame(0, Session(scene).view(), {}, {});
-  auto painter = std::make_unique<AbPainter>(*context_, scene, start, AbView::side, options.width,
-                                             options.height, overlay_, camera);
+  const Frame start = make_frame(0, {Session(scene).view()});
+  auto painter = std::make_unique<RunsPainter>(*context_, std::vector{scene}, start, Arrangement{},
+                                               options.width, options.height, overlay_, camera);
   painter->set_quality(quality);
   painter_ = std::move(painter);
 }
@@ -57,7 +57,7 @@ Painter::~Painter() {
 
 Image Painter::draw(FrameView view) {
   const CurrentContext current(*context_);
-  painter_->draw(make_frame(0, std::move(view), {}, {}));
+  painter_->draw(make_frame(0, {std::move(view)}));
   Image image;
   painter_->fetch(image);
   return image;

@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "app/frames/ab_painter.h"
+#include "app/frames/runs_painter.h"
 #include "render/context/context.h"
 
 namespace pabd::python {
@@ -39,7 +39,7 @@ class Painter {
   PictureOptions options_;
   OverlayChoice overlay_;
   std::unique_ptr<GlContext> context_;
-  std::unique_ptr<AbPainter> painter_;
+  std::unique_ptr<RunsPainter> painter_;
 };
 
 }  // namespace pabd::python

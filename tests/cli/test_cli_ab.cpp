@@ -171,21 +171,21 @@ TEST_CASE("B is at its last step that is not after A's time, with whatever time 
   for (const auto& [step_a, step_b] : pairs) {
     CAPTURE(step_a.under, step_b.over, step_b.under);
     constexpr int kFrames = 40;
-    pabd::LiveSource source(two_boxes(step_a.value()), two_boxes(step_b.value()),
+    pabd::LiveSource source(pabd::runs_of(two_boxes(step_a.value()), two_boxes(step_b.value())),
                             {0, kFrames, 1 / step_a.value()});
     std::vector<int> common, measured;
     std::size_t known = 0;
     while (const auto frame = source.next([] { return false; })) {
-      REQUIRE(frame->b);
+      REQUIRE(frame->b());
       const int k = frame->number;
-      CHECK(frame->a.state->step == k);
+      CHECK(frame->a().state->step == k);
       // ⌊k h_A / h_B⌋
       const int over = k * step_a.over * step_b.under, under = step_a.under * step_b.over;
-      CHECK(frame->b->state->step == over / under);
+      CHECK(frame->b()->state->step == over / under);
       if (k > 0 && over % under == 0) common.push_back(k);
       for (; known < frame->apart.size(); ++known) {
         const pabd::DistancePoint& point = frame->apart[known];
-        CHECK(point.time == frame->a.state->time);
+        CHECK(point.time == frame->a().state->time);
         measured.push_back(k);
         CHECK((step_a.value() == step_b.value() ? point.position == 0 : point.position >= 0));
       }
@@ -197,9 +197,9 @@ TEST_CASE("B is at its last step that is not after A's time, with whatever time 
 TEST_CASE("steps that were rounded where they were written are in step") {
   for (const double h : {0.0166667, 0.01666666}) {
     CAPTURE(h);
-    pabd::LiveSource source(two_boxes(1.0 / 60), two_boxes(h), {0, 200, 60});
+    pabd::LiveSource source(pabd::runs_of(two_boxes(1.0 / 60), two_boxes(h)), {0, 200, 60});
     while (const auto frame = source.next([] { return false; })) {
-      CHECK(frame->b->state->step == frame->number);
+      CHECK(frame->b()->state->step == frame->number);
       CHECK(frame->apart.size() == static_cast<std::size_t>(frame->number));
     }
   }

@@ -106,8 +106,8 @@ std::vector<Frame> frames_of(const std::shared_ptr<const Scene>& scene, int coun
 void export_frames(const std::string& out, const Scene& scene, const std::vector<Frame>& frames,
                    ExportSetup setup) {
   setup.frames = static_cast<std::int64_t>(frames.size());
-  const auto exporter = make_exporter(out, scene, frames.front().a, setup);
-  for (const Frame& frame : frames) exporter->add(frame.number, frame.a);
+  const auto exporter = make_exporter(out, scene, frames.front().a(), setup);
+  for (const Frame& frame : frames) exporter->add(frame.number, frame.a());
   exporter->finish();
 }
 

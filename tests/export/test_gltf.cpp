@@ -158,12 +158,12 @@ TEST_CASE("keys of a .glb are the poses of the run to the last bit of float") {
     REQUIRE(move.size() == 3 * frames.size());
     for (std::size_t k = 0; k < frames.size(); ++k)
       for (std::size_t x = 0; x < 3; ++x)
-        CHECK(move[3 * k + x] == static_cast<float>(frames[k].a.state->c[at][static_cast<int>(x)]));
+        CHECK(move[3 * k + x] == static_cast<float>(frames[k].a().state->c[at][static_cast<int>(x)]));
     if (turn.empty()) continue;
     ++turned;
     for (std::size_t k = 0; k < frames.size(); ++k) {
       const float* q = &turn[4 * k];
-      CHECK(rotation_error(frames[k].a.state->R[at], q[3], q[0], q[1], q[2]) < 4e-7);
+      CHECK(rotation_error(frames[k].a().state->R[at], q[3], q[0], q[1], q[2]) < 4e-7);
       if (k == 0) continue;
       const float* p = &turn[4 * k - 4];
       CHECK(p[0] * q[0] + p[1] * q[1] + p[2] * q[2] + p[3] * q[3] > 0);  // the short way round
@@ -233,7 +233,7 @@ TEST_CASE("a trail of a .glb goes through every place of its point") {
   const auto path = floats(model, part.attributes.at("POSITION"));
   REQUIRE(path.size() == 3 * frames.size());
   for (std::size_t k = 0; k < frames.size(); ++k) {
-    const State& state = *frames[k].a.state;
+    const State& state = *frames[k].a().state;
     const Vec3 at = state.c[4] + 0.4 * state.R[4].col(0);
     for (int x = 0; x < 3; ++x)
       CHECK(path[3 * k + static_cast<std::size_t>(x)] == Approx(at[x]).margin(1e-6));
@@ -257,7 +257,7 @@ TEST_CASE("the same run gives the same bytes, and what would be too large is ref
     export_frames(a.string(), *scene, frames, {.force = true});
     const auto large = folder / (std::string("large") + suffix);
     const Caught refused =
-        caught([&] { make_exporter(large.string(), *scene, frames.front().a, {.frames = 10'000'000}); });
+        caught([&] { make_exporter(large.string(), *scene, frames.front().a(), {.frames = 10'000'000}); });
     CHECK(refused.kind == bad_input);
     CHECK(refused.says("--fps"));
     CHECK_FALSE(std::filesystem::exists(large));
@@ -267,12 +267,12 @@ TEST_CASE("the same run gives the same bytes, and what would be too large is ref
 TEST_CASE("frames of an export show the steps that pictures show") {
   const auto scene = varied_scene();
   const auto frames = frames_of(scene, 13, 25);
-  LiveSource pictures(Run(scene, 1, kNoPast), {}, FrameRange{0, 14, 25});
+  LiveSource pictures(runs_of(Run(scene, 1, kNoPast)), FrameRange{0, 14, 25});
   for (const Frame& frame : frames) {
     const auto picture = pictures.next([] { return false; });
     REQUIRE(picture);
     CHECK(frame.number == picture->number);
-    CHECK(same_bits(*frame.a.state, *picture->a.state));
+    CHECK(same_bits(*frame.a().state, *picture->a().state));
   }
 }
 

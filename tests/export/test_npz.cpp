@@ -46,7 +46,7 @@ TEST_CASE("numpy reads every array of an .npz, and they are the run") {
 
   nlohmann::json exact, contacts = nlohmann::json::array();
   for (const Frame& frame : frames) {
-    const State& state = *frame.a.state;
+    const State& state = *frame.a().state;
     exact["time"].push_back(state.time);
     exact["step"].push_back(state.step);
     for (std::size_t i = 0; i < state.c.size(); ++i) {
@@ -56,8 +56,8 @@ TEST_CASE("numpy reads every array of an .npz, and they are the run") {
       for (int row = 0; row < 3; ++row)
         for (int column = 0; column < 3; ++column) exact["A"].push_back(state.R[i](row, column));
     }
-    contacts.push_back(frame.a.report.contact_reports.size());
-    for (const ContactReport& contact : frame.a.report.contact_reports) {
+    contacts.push_back(frame.a().report.contact_reports.size());
+    for (const ContactReport& contact : frame.a().report.contact_reports) {
       exact["contact_a"].push_back(contact.a);
       exact["contact_b"].push_back(contact.b);
       exact["contact_sticking"].push_back(contact.sticking);
@@ -109,7 +109,7 @@ TEST_CASE("an archive that cannot be written whole leaves nothing and says why")
     CHECK(failed.says(out));
     CHECK(failed.says("ulimit"));
   }
-  { const auto given_up = make_exporter(out, *scene, frames.front().a, {}); }
+  { const auto given_up = make_exporter(out, *scene, frames.front().a(), {}); }
   CHECK(folder.names().empty());
 }
 

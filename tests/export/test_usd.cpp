@@ -139,7 +139,7 @@ TEST_CASE("time samples of a .usda are the poses of the run") {
     REQUIRE(moves.size() == frames.size());
     std::size_t k = 0;
     for (const auto& [code, place] : moves) {
-      const State& state = *frames[k++].a.state;
+      const State& state = *frames[k++].a().state;
       CHECK(code == Approx(fps * state.time).margin(1e-3));
       REQUIRE(place.size() == 3);
       for (std::size_t x = 0; x < 3; ++x)
@@ -148,7 +148,7 @@ TEST_CASE("time samples of a .usda are the poses of the run") {
     k = 0;
     for (const auto& [code, q] : turns) {
       REQUIRE(q.size() == 4);
-      CHECK(rotation_error(frames[k++].a.state->R[i], q[0], q[1], q[2], q[3]) < 4e-7);
+      CHECK(rotation_error(frames[k++].a().state->R[i], q[0], q[1], q[2], q[3]) < 4e-7);
     }
     CHECK((turns.empty() || turns.size() == frames.size()));
   }

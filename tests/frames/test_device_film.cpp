@@ -4,7 +4,7 @@
 
 #include <catch2/catch.hpp>
 
-#include "app/frames/ab_painter.h"
+#include "app/frames/runs_painter.h"
 #include "render/device/device_engine.h"
 #include "render/output/compare_images.h"
 #include "render/visual/body_parts.h"
@@ -30,19 +30,17 @@ bool same_step(const StepSummary& a, const StepSummary& b) {
          a.potential == b.potential && a.contacts == b.contacts && a.min_gap == b.min_gap;
 }
 
-AbPainter painter_of(GlContext& context, const Run& run, const OverlayChoice& overlay) {
-  return {
-      context, run.shared_scene(), make_frame(0, run.view(), {}, {}), AbView::side, kWidth, kHeight, overlay,
-      {}};
+RunsPainter painter_of(GlContext& context, const Run& run, const OverlayChoice& overlay) {
+  return {context, {run.shared_scene()}, make_frame(0, {run.view()}), {}, kWidth, kHeight, overlay, {}};
 }
 
 template <class Draw>
-Made make(FrameSource& source, AbPainter& painter, const Draw& draw) {
+Made make(FrameSource& source, RunsPainter& painter, const Draw& draw) {
   Made out;
   while (const auto frame = source.next([] { return false; })) {
     draw(*frame);
     painter.fetch(out.images.emplace_back());
-    out.steps.push_back(frame->a.report.summary());
+    out.steps.push_back(frame->a().report.summary());
   }
   return out;
 }
@@ -67,17 +65,17 @@ TEST_CASE("a film from the GPU's memory has the pictures and the reports of the 
   solved.observe(false, overlay.needs_contacts());
   solved.solve_with(std::make_shared<DeviceEngine>(Backend::automatic));
   context->make_current();
-  AbPainter painter = painter_of(*context, run, overlay);
-  LiveSource source(std::move(solved), {}, kRange);
+  RunsPainter painter = painter_of(*context, run, overlay);
+  LiveSource source(runs_of(std::move(solved)), kRange);
   const Made expected = make(source, painter, [&](const Frame& frame) {
-    REQUIRE(frame.a.state->size() == run.state().size());
+    REQUIRE(frame.a().state->size() == run.state().size());
     context->make_current();  // the engine has one of its own
     painter.draw(frame);
   });
 
   DeviceFilm film(*context, run, kRange, overlay.contacts);
   const Made actual = make(film, painter, [&](const Frame& frame) {
-    REQUIRE(frame.a.state->size() == 0);
+    REQUIRE(frame.a().state->size() == 0);
     const BodiesOnDevice bodies = film.bodies();
     painter.draw(frame, &bodies);
   });

@@ -41,12 +41,12 @@ TEST_CASE("a pace goes from the time of a video to that of the run, and back") {
 
 TEST_CASE("in slow motion bodies are on their way from step to step, in real time where a step ended") {
   for (const double speed : {1.0, 0.25, 0.1, 0.03}) {
-    LiveSource source(Run(turning_ball(), 1, kNoPast), {}, {0, 40, 60, Pace(std::to_string(speed))});
+    LiveSource source(runs_of(Run(turning_ball(), 1, kNoPast)), {0, 40, 60, Pace(std::to_string(speed))});
     const auto never = [] { return false; };
     for (int frame = 0; frame < 40; ++frame) {
       const auto shown = source.next(never);
       REQUIRE(shown);
-      const State& state = *shown->a.state;
+      const State& state = *shown->a().state;
       const double time = speed * frame / 60;
       CAPTURE(speed, frame);
       const double seen = speed == 1 ? 0.1 * std::floor(10 * time + 1e-9) : time;

@@ -6,10 +6,10 @@
 #include <fstream>
 #include <sstream>
 
-#include "app/frames/ab_painter.h"
 #include "app/frames/frame_source.h"
 #include "app/frames/frame_text.h"
 #include "app/frames/render_pipeline.h"
+#include "app/frames/runs_painter.h"
 #include "app/gui/script.h"
 #include "render/output/png.h"
 #include "tests/support/places.h"
@@ -41,15 +41,15 @@ void render(const std::string& out, int count, double fps, const std::string& ov
   overlay.show_contacts_by(contacts_by);
   run.observe(overlay.needs_iterations(), overlay.needs_contacts(), overlay.needs_bodies());
   const CameraOption option = parse_camera(camera);
-  const Frame start = make_frame(0, run.view(), {}, {});
-  AbPainter painter(*context, run.shared_scene(), start, AbView::side, 160, 90, overlay, option);
+  const Frame start = make_frame(0, {run.view()});
+  RunsPainter painter(*context, {run.shared_scene()}, start, {}, 160, 90, overlay, option);
   const FrameRange range{0, count, fps};
   ViewFacts facts{160, 90, fps, overlay_text, camera_text(option, camera), painter.gl_renderer()};
   facts.color_by = kColorNames[static_cast<std::size_t>(bodies_by)];
   facts.contacts_by = kContactQuantities[static_cast<std::size_t>(contacts_by)];
-  const PngText common = common_text(run.scene(), facts, start.a);
-  AsyncSink sink(make_sink(out, sink_options(start.a, common, range, 160, 90, 0)));
-  LiveSource source(std::move(run), {}, range);
+  const PngText common = common_text(run.scene(), facts, start.a());
+  AsyncSink sink(make_sink(out, sink_options(start.a(), common, range, 160, 90, 0)));
+  LiveSource source(runs_of(std::move(run)), range);
   render_frames(source, painter, sink, {[] { return false; }, [](int, const StepSummary&) {}});
 }
 

@@ -32,7 +32,7 @@ FrameView view_of(double one, double two) {
 
 TEST_CASE("colours by speed have a round range that two runs share, and that rests once it has grown") {
   const FrameView a = view_of(0.3, 1.2), b = view_of(0.1, 17);
-  const BodyColors alone = body_colors(a, nullptr, ColorQuantity::speed);
+  const BodyColors alone = body_colors(a, ColorQuantity::speed);
   REQUIRE(alone.values.size() == 3);
   CHECK(std::isnan(alone.values[0]));
   CHECK(alone.values[1] == Approx(0.3));
@@ -40,22 +40,23 @@ TEST_CASE("colours by speed have a round range that two runs share, and that res
   CHECK(alone.range.hi == 2);
   CHECK(alone.largest == Approx(1.2));
   for (const BodyColors& one :
-       {body_colors(a, &b, ColorQuantity::speed), body_colors(b, &a, ColorQuantity::speed)}) {
+       {body_colors(a, ColorQuantity::speed, largest_value(b, ColorQuantity::speed)),
+        body_colors(b, ColorQuantity::speed, largest_value(a, ColorQuantity::speed))}) {
     CHECK(one.range.lo == 0);
     CHECK(one.range.hi == 20);
   }
-  const BodyColors later = body_colors(a, nullptr, ColorQuantity::speed, 17);
+  const BodyColors later = body_colors(a, ColorQuantity::speed, 17);
   CHECK(later.range.hi == 20);
   CHECK(later.largest == 17);
-  CHECK(body_colors(a, nullptr, ColorQuantity::body, 17).values.empty());
+  CHECK(body_colors(a, ColorQuantity::body, 17).values.empty());
 }
 
 TEST_CASE("energies are kinetic and of contacts; what no report holds is grey") {
   FrameView view = view_of(2, 0);
-  CHECK(std::isnan(body_colors(view, nullptr, ColorQuantity::energy).values[1]));
+  CHECK(std::isnan(body_colors(view, ColorQuantity::energy).values[1]));
   view.report.body_reports.resize(3);
   view.report.body_reports[2].contact_energy = 7;
-  const BodyColors colors = body_colors(view, nullptr, ColorQuantity::energy);
+  const BodyColors colors = body_colors(view, ColorQuantity::energy);
   CHECK(colors.values[1] == Approx(0.5 * 1000 * 4));  // 1 m³ of 1000 kg/m³
   CHECK(colors.values[2] == Approx(7));
   CHECK(colors.range.hi == 2000);
@@ -75,11 +76,10 @@ TEST_CASE("the legend of bodies says the quantity, its unit and the ends of the 
     paint_panels(layout_panels(options, data, 1280, 720), data, canvas);
     return canvas.finish();
   };
-  const std::string speed = text(body_colors(view, nullptr, ColorQuantity::speed));
+  const std::string speed = text(body_colors(view, ColorQuantity::speed));
   CHECK(speed.find("speed, m/s") != std::string::npos);
   CHECK(speed.find(">10<") != std::string::npos);
-  CHECK(text(body_colors(view, nullptr, ColorQuantity::component)).find("no components") !=
-        std::string::npos);
+  CHECK(text(body_colors(view, ColorQuantity::component)).find("no components") != std::string::npos);
   CHECK(text({}).find("text") == std::string::npos);  // bodies told apart need no legend
 }
 

@@ -77,7 +77,7 @@ TEST_CASE("loads of a pyramid as bars over bodies by speed, with both legends") 
   State moving = state;
   for (std::size_t i = 0; i < moving.v.size(); ++i) moving.v[i] = {0.2 * state.c[i].y(), 0, 0};
   view.state = std::make_shared<const State>(moving);
-  const BodyColors colors = body_colors(view, nullptr, ColorQuantity::speed);
+  const BodyColors colors = body_colors(view, ColorQuantity::speed);
   OverlayData data = overlay_of(stored, view);
   data.colors = &colors;
   data.contacts_by = ContactQuantity::force;
