@@ -306,7 +306,7 @@ void add_render_command(CLI::App& app, Action& action) {
   command.word(kPicture, "--color-by", options->color_by, {std::begin(kColorNames), std::end(kColorNames)},
                "what colours of bodies say, with a legend; body: nothing but which is which (default); "
                "projection: ‖A − R‖; speed, m/s; energy, J: kinetic and of contacts; component: bodies that "
-               "are solved together");
+               "are solved together; residual, in d̂: of that component, where steps end unsolved");
   command.word(
       kPicture, "--contacts-by", options->contacts_by,
       {std::begin(kContactQuantities), std::end(kContactQuantities)},

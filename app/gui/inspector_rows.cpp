@@ -103,6 +103,8 @@ void add_solver(const RunView& run, std::size_t i, InspectorRows& rows) {
       {"component",
        r.island < 0 ? "none: nothing touches it" : fmt::format("{}, by {}", r.island, to_string(r.solver)),
        "Bodies that hang together through contacts or joints are solved together"});
+  rows.push_back({"residual", fmt::format("{:.2g} d̂", r.residual),
+                  "Of its component: the largest way of a body in the last iteration"});
   rows.push_back(
       {"‖A − R‖", in_unit(r.projection_change),
        "How far the affine matrix of the last iteration was from the rotation it became; sissm only"});

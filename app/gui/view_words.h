@@ -38,7 +38,8 @@ inline constexpr Choice kColors[] = {{kColorNames[0], "body", "tell bodies apart
                                      {kColorNames[1], "‖A − R‖"},
                                      {kColorNames[2]},
                                      {kColorNames[3]},
-                                     {kColorNames[4], "component", "connected components"}};
+                                     {kColorNames[4], "component", "connected components"},
+                                     {kColorNames[5], nullptr, "residual, where steps end unsolved"}};
 static_assert(std::size(kColors) == std::size(kColorNames));
 inline constexpr Choice kContactColors[] = {
     {kContactQuantities[0], nullptr, "gap, d/d̂"},

@@ -29,6 +29,8 @@ double value_of(const FrameView& run, std::size_t i, ColorQuantity quantity) {
              r.contact_energy;
     case ColorQuantity::component:
       return r.island < 0 ? kNone : r.island;
+    case ColorQuantity::residual:
+      return r.island < 0 ? kNone : r.residual;
     default:
       return kNone;
   }
@@ -83,10 +85,15 @@ BodyColors body_colors(const FrameView& run, ColorQuantity quantity, double larg
     out.title = out.note = "‖A − R‖ is 0: only sissm has an A";
     return out;
   }
-  out.range =
-      round_range(hi, quantity == ColorQuantity::projection ? 1e-12 : 1e-6, quantity != ColorQuantity::speed);
+  if (hi == 0 && quantity == ColorQuantity::residual) {
+    out.title = out.note = "residual 0: nothing touches or all rests";
+    return out;
+  }
+  const bool tiny = quantity == ColorQuantity::projection || quantity == ColorQuantity::residual;
+  out.range = round_range(hi, tiny ? 1e-12 : 1e-6, quantity != ColorQuantity::speed);
   out.title = quantity == ColorQuantity::projection ? "‖A − R‖"
               : quantity == ColorQuantity::speed    ? "speed, m/s"
+              : quantity == ColorQuantity::residual ? "residual, d̂"
                                                     : "kinetic and contact energy, J";
   return out;
 }

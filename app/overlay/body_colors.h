@@ -10,9 +10,10 @@
 
 namespace pabd {
 
-enum class ColorQuantity : std::uint8_t { body, projection, speed, energy, component };
+enum class ColorQuantity : std::uint8_t { body, projection, speed, energy, component, residual };
 // In the order of ColorQuantity.
-inline constexpr const char* kColorNames[] = {"body", "projection", "speed", "energy", "component"};
+inline constexpr const char* kColorNames[] = {"body",   "projection", "speed",
+                                              "energy", "component",  "residual"};
 
 // The one of that name; `body` where there is none.
 ColorQuantity color_quantity(const std::string& name);

@@ -47,6 +47,7 @@ struct BodyReport {
   // from 0 in order of their lowest body; −1 for a fixed body and for one that has no bonds.
   Index island = -1;
   SolverMethod solver = SolverMethod::descent;  // sissm, descent or newton; only where there is an island
+  double residual = 0;                          // of that island; d̂
   int contacts = 0;                             // with d < d̂
   double contact_energy = 0;                    // half of the energy of each of them, Ψ and friction; J
 };

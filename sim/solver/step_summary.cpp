@@ -119,6 +119,7 @@ void report_bodies(const Problem& p, const Islands& islands, const std::vector<I
     BodyReport& body = out[i];
     body.island = islands.of[i];
     body.solver = solved[body.island].solver;
+    body.residual = solved[body.island].residual;
     if (body.solver != SolverMethod::sissm) continue;
     body.projection_change = sissm.projected[i];
     body.det_A = sissm.A[i].determinant();

@@ -64,6 +64,20 @@ TEST_CASE("energies are kinetic and of contacts; what no report holds is grey") 
   CHECK(colors.range.logarithmic);
 }
 
+TEST_CASE("residuals are those of the components, in decades; without any there is a note") {
+  FrameView view = view_of(2, 0);
+  view.report.body_reports.resize(3);
+  view.report.body_reports[1].island = 0;
+  CHECK(body_colors(view, ColorQuantity::residual).note.find("residual 0") != std::string::npos);
+  view.report.body_reports[1].residual = 3e-7;
+  const BodyColors colors = body_colors(view, ColorQuantity::residual);
+  CHECK(colors.values[1] == 3e-7);
+  CHECK(std::isnan(colors.values[2]));  // alone
+  CHECK(colors.range.hi == Approx(5e-7));
+  CHECK(colors.range.logarithmic);
+  CHECK(colors.title.find("d̂") != std::string::npos);
+}
+
 TEST_CASE("the legend of bodies says the quantity, its unit and the ends of the range") {
   const FontMetrics font;
   const FrameView view = view_of(0.3, 17);

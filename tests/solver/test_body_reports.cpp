@@ -56,6 +56,13 @@ TEST_CASE("islands are numbered by their lowest body; free and fixed bodies have
     }
     CHECK(report.body_reports[6].solver ==
           (method == SolverMethod::descent ? SolverMethod::descent : SolverMethod::newton));
+    double residual = 0;
+    for (const BodyReport& body : report.body_reports) {
+      residual = std::max(residual, body.residual);
+      CHECK(body.residual == (body.island < 0 ? 0 : report.islands[body.island].residual));
+    }
+    CHECK(residual > 0);
+    CHECK(residual == report.residual);
     if (method != SolverMethod::automatic)
       for (const int i : {2, 3, 4}) CHECK(report.body_reports[i].solver == method);
   }
