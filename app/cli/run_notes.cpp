@@ -8,16 +8,13 @@
 #include <limits>
 
 #include "app/cli/streams.h"
+#include "app/session/unsolved_steps.h"
 #include "sim/base/counted.h"
 #include "sim/body/model.h"
-#include "sim/solver/parameter_table.h"
 #include "sim/solver/time_step.h"
 
 namespace pabd::cli {
 namespace {
-
-// d̂ that a body still moved: with less, no picture and no reading is another one.
-constexpr double kWorthTelling = 1e-3;
 
 // Is κ stated, and smaller than it would be by itself?
 bool is_soft(const Model& model, const Params& params) {
@@ -45,15 +42,6 @@ void RunNotes::add(const StepSummary& step) {
   residual_ = std::max(residual_, step.residual);
 }
 
-// What is not as it is by default, or else shorter steps.
-std::string RunNotes::what_helps() const {
-  const SolverParams &solver = params_.solver, usual;
-  if (solver.method == SolverMethod::sissm) return "solver.method=auto";
-  if (solver.iterations < usual.iterations) return fmt::format("solver.iterations={}", usual.iterations);
-  if (solver.halvings < usual.halvings) return fmt::format("solver.halvings={}", usual.halvings);
-  return fmt::format("time_step={:.6g}", allowed(&Params::h, 0.5 * params_.h));
-}
-
 std::vector<std::string> RunNotes::lines() const {
   constexpr double kAny = std::numeric_limits<double>::infinity();
   std::vector<std::string> out;
@@ -65,10 +53,13 @@ std::vector<std::string> RunNotes::lines() const {
                                       : ""));
   const bool many =
       static_cast<double>(unsolved_) > AcceptanceLimits{}.unsolved * static_cast<double>(steps_);
-  if (many && residual_ > kWorthTelling)
-    out.push_back(fmt::format(
-        "{} of {} ended unsolved: a body still moved by up to {:.2g} d̂ in the last iteration; try --set {}",
-        unsolved_, counted(steps_, "step"), residual_, what_helps()));
+  if (many && residual_ > kUnsolvedWorthTelling) {
+    const Remedy remedy = remedy_for_unsolved(params_);
+    out.push_back(
+        fmt::format("{} of {} ended unsolved: a body still moved by up to {:.2g} d̂ in the last iteration; "
+                    "try --set {}={}",
+                    unsolved_, counted(steps_, "step"), residual_, remedy.key, remedy.value));
+  }
   return out;
 }
 

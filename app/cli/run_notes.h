@@ -23,8 +23,6 @@ class RunNotes {
   std::vector<std::string> lines() const;
 
  private:
-  std::string what_helps() const;
-
   Params params_;
   bool driven_;  // a joint has a drive
   bool soft_;    // κ is stated, and smaller than "auto"

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/session/unsolved_steps.h"
 #include "sim/base/counted.h"
 #include "sim/solver/halving.h"
 #include "sim/solver/parameter_table.h"
@@ -15,14 +16,9 @@
 namespace pabd {
 namespace {
 
-constexpr double kComfortable = 0.5;  // d/d̂ that the deepest contact should keep
-constexpr double kTenfold = 10;       // a bed of springs that stiffens more at once throws bodies out
-constexpr int kWorthAWord = 15;       // unsolved steps of those that are looked at
-// d̂ that a body still moved: with less, no picture and no reading is another one.
-constexpr double kWorthTelling = 1e-3;
-// What 80 iterations, in up to 16 parts of the step, do not solve, more of them seldom do: half the step helps more.
-constexpr int kIterationsEnough = 80;
-constexpr int kTimes = 4;
+constexpr double kComfortable = 0.5;      // d/d̂ that the deepest contact should keep
+constexpr double kTenfold = 10;           // a bed of springs that stiffens more at once throws bodies out
+constexpr int kWorthAWord = 15;           // unsolved steps of those that are looked at
 constexpr double kManyIterations = 1000;  // beyond, another method is the better advice
 constexpr double kManySissmIterations = 200;
 
@@ -319,27 +315,16 @@ std::optional<Advice> halving_advice(const Params& params, std::span<const StepS
   past = past.last(std::min(past.size(), kStepsLookedAt));
   int unsolved = 0, deepest = 0;
   for (const StepSummary& step : past) {
-    if (step.status != StepStatus::iteration_limit || !(step.residual > kWorthTelling)) continue;
+    if (step.status != StepStatus::iteration_limit || !(step.residual > kUnsolvedWorthTelling)) continue;
     ++unsolved;
     deepest = std::max(deepest, step.halvings);
   }
   if (unsolved < kWorthAWord) return std::nullopt;
-  Advice advice{AdviceKind::unsolved_halves,
+  const Remedy remedy = remedy_for_unsolved(params);
+  return Advice{AdviceKind::unsolved_halves,
                 fmt::format("{} of {} ended unsolved{}", unsolved, counted(past.size(), "step"),
                             deepest > 0 ? fmt::format(", in up to {} parts too", 1 << deepest) : ""),
-                "", "", ""};
-  const std::string few =
-      fmt::format("Too much happens in one step for {}. ", counted(solver.iterations, "iteration"));
-  if (solver.iterations < kIterationsEnough) {
-    advice.why = few + "More of them solve more of its parts.";
-    advice.key = "solver.iterations";
-    advice.value = std::to_string(kTimes * solver.iterations);
-  } else {
-    advice.why = few + "Half the time step halves every move.";
-    advice.key = "time_step";
-    advice.value = number(allowed(&Params::h, 0.5 * params.h));
-  }
-  return advice;
+                remedy.why, remedy.key, remedy.value};
 }
 
 std::vector<Advice> contact_advice(const Model& model, const Params& params, const State& state,

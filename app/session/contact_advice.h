@@ -82,8 +82,8 @@ std::vector<Advice> contact_advice(const Model& model, const Params& params, con
 // As many of the last steps are looked at for advice about many of them.
 inline constexpr std::size_t kStepsLookedAt = 60;
 
-// Of steps that are made again in halves (halving.h) and unsolved all the same, one after the other: more iterations
-// solve more of the parts, and a smaller step what many iterations do not. A hit that is halved and solved is no news.
+// Of steps that are made again in halves (halving.h) and unsolved all the same, one after the other (unsolved_steps.h
+// has what helps). A hit that is halved and solved is no news.
 // `past`: steps that were made with `params`, the last one last.
 std::optional<Advice> halving_advice(const Params& params, std::span<const StepSummary> past);
 

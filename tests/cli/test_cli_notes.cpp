@@ -27,8 +27,8 @@ const std::string kCrank = R"({ "format": "pabd-scene", "version": 1, "bodies": 
   "joints": [ { "type": "hinge", "bodies": [null, "arm"], "anchor": [0, 0.5, 0], "axis": [0, 0, 1],
                 "drive": { "keys": [[0, 0], [1, -360]] } } ] })";
 
-std::int64_t unsolved(const std::vector<std::string>& settings) {
-  std::vector<std::string> command = {"run", "pyramid", "--steps", "150", "--quiet", "--json"};
+std::int64_t unsolved(const std::vector<std::string>& settings, const std::string& scene = "pyramid") {
+  std::vector<std::string> command = {"run", scene, "--steps", "150", "--quiet", "--json"};
   for (const std::string& set : settings) command.insert(command.end(), {"--set", set});
   const auto summary = nlohmann::json::parse(run_pabd(command).out);
   return summary["outcomes"].value("iteration_limit", std::int64_t{0});
@@ -80,6 +80,25 @@ TEST_CASE("steps that end unsolved are told of, with a setting that leaves fewer
   }
   // Tolerance 0 asks for all iterations.
   CHECK(notes_of(run_pabd({"run", "pyramid", "--steps", "30", "--set", "solver.tolerance=0"}).err).empty());
+}
+
+TEST_CASE(
+    "a pile that the default solver leaves partly unsolved: half the step ends it, more iterations do not") {
+  const CommandFolder folder;
+  const std::string scene = folder / "pile.json";
+  write_text(scene,
+             R"({ "format": "pabd-scene", "version": 1, "contact": { "N": 5, "d_hat": 0.01, "friction": 0.3 },
+    "bodies": [ { "name": "ground", "shape": { "type": "plane" }, "fixed": true } ],
+    "generate": [ { "type": "pile", "count": 200, "shape": "mixed", "size": [0.6, 0.5, 0.5], "vary": 0.15,
+                    "columns": 6, "seed": 7 } ] })");
+  const std::int64_t more = unsolved({"solver.iterations=80"}, scene);
+  const std::vector<std::string> notes =
+      notes_of(run_pabd({"run", scene, "--steps", "150", "--set", "solver.iterations=80"}).err);
+  REQUIRE(notes.size() == 1);
+  CHECK_THAT(notes[0], Catch::EndsWith("; try --set time_step=0.00833333"));
+  const std::int64_t half = unsolved({"time_step=0.00833333"}, scene);
+  CHECK(half < unsolved({}, scene));
+  CHECK(half < more);
 }
 
 TEST_CASE("contacts that are too soft are told of, and a good run tells nothing") {

@@ -87,13 +87,15 @@ TEST_CASE("the words of the advice have the numbers of the steps") {
   const auto advice = halving_advice(params, steps);
   REQUIRE(advice);
   CHECK(advice->what == "15 of 60 steps ended unsolved, in up to 16 parts too");
-  CHECK(advice->key == "solver.iterations");
-  CHECK(advice->value == "80");
-  params.solver.iterations = 80;
-  const auto shorter = halving_advice(params, steps);
-  REQUIRE(shorter);
-  CHECK(shorter->key == "time_step");
-  CHECK(std::stod(shorter->value) == Approx(1.0 / 120));
+  CHECK(advice->key == "time_step");
+  CHECK(std::stod(advice->value) == Approx(1.0 / 120));
+  // What is less than by default comes first.
+  params.solver.halvings = 2;
+  CHECK(halving_advice(params, steps)->key == "solver.halvings");
+  params.solver.iterations = 5;
+  CHECK(halving_advice(params, steps)->value == "20");
+  params.solver.method = SolverMethod::sissm;
+  CHECK(halving_advice(params, steps)->value == "auto");
   params.solver.tolerance = 0;  // asks for all iterations
   CHECK_FALSE(halving_advice(params, steps));
 }
