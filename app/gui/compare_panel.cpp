@@ -25,12 +25,6 @@ constexpr int kDifferingRows = 3;  // of the table before it scrolls
 
 std::string key_of(const char* name) { return fmt::format("{}.{}", kJointSettings, name); }
 
-// Stays on the line if `width` pixels fit.
-void same_line_if_room(float width) {
-  ImGui::SameLine();
-  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
-}
-
 class ComparePanel final : public GuiPanel {
  public:
   void draw(GuiFrame& f) override {
@@ -59,7 +53,7 @@ class ComparePanel final : public GuiPanel {
     ImGui::Dummy({0, f.px(4)});
     if (ImGui::Button("Compare from here")) f.out.send(command::Compare{});
     tooltip("B starts at this moment, where A is now");
-    ImGui::SameLine();
+    same_line_if_room(button_width("Compare from the beginning"));
     if (ImGui::Button("Compare from the beginning")) {
       f.out.send(command::Restart{});
       f.out.send(command::Compare{});
@@ -71,9 +65,10 @@ class ComparePanel final : public GuiPanel {
     action_toggle(f, "ghost", !f.ui.side_by_side);
     ImGui::SameLine(0, f.px(2));
     action_toggle(f, "side", f.ui.side_by_side);
-    const float end = ImGui::CalcTextSize("End").x + 2 * ImGui::GetStyle().FramePadding.x;
-    const float take = ImGui::CalcTextSize("Take B's").x + 2 * ImGui::GetStyle().FramePadding.x;
-    ImGui::SameLine(ImGui::GetContentRegionMax().x - end - take - ImGui::GetStyle().ItemSpacing.x);
+    const float end = button_width("End"), take = button_width("Take B's");
+    const float both = end + take + ImGui::GetStyle().ItemSpacing.x;
+    same_line_if_room(both);
+    ImGui::SetCursorPosX(ImGui::GetContentRegionMax().x - both);
     command::SetAll all;
     for (const Difference& d : differing_) {
       if (!is_joint_setting(d.key)) all.values.push_back(d.key + "=" + d.b);
@@ -187,9 +182,11 @@ class ComparePanel final : public GuiPanel {
             (std::abs(late) < 1e-6 ? std::string()
                                    : fmt::format("; B's steps end at other times, now {:.3g} ms {}",
                                                  std::abs(late), late > 0 ? "earlier" : "later")));
-    ImGui::SameLine(0, f.px(5));
-    muted_label(f, fmt::format("{}, {}°", f.sim.a.model->name[static_cast<std::size_t>(distance_.body)],
-                               format_value(distance_.angle * 180 / kPi, 2)));
+    const std::string where =
+        fmt::format("{}, {}°", f.sim.a.model->name[static_cast<std::size_t>(distance_.body)],
+                    format_value(distance_.angle * 180 / kPi, 2));
+    same_line_if_room(ImGui::CalcTextSize(ui_text(where).c_str()).x, f.px(5));
+    muted_label(f, where);
     tooltip("The body that is farthest away, and the largest angle between a body's two attitudes");
   }
 

@@ -33,6 +33,7 @@ void open_dropped(const Snapshot& sim, const std::string& path, Outbox& out);
 
 class FileRoot;
 class FrameCosts;
+struct GuiLayout;
 class Recorder;
 class SceneList;
 class SweepReader;
@@ -41,6 +42,7 @@ class SweepReader;
 struct GuiFrame {
   const Snapshot& sim;
   const UiState& ui;
+  const GuiLayout& layout;
   double unit;  // pixels of a pixel of an ordinary screen
   FontAtlas& fonts;
   const FontMetrics& metrics;

@@ -20,10 +20,18 @@ inline constexpr double kTextSize = 13.5;
 
 // Begins the ImGui window of a part that stays where it is; ImGui::End() ends it.
 void begin_fixed(const char* id, const Rect& rect, ImGuiWindowFlags more = 0);
-// A slot with its tabs and the panel that it shows.
-void draw_slot(GuiFrame& frame, Slot slot, const Rect& rect, bool all_tabs, GuiPanel& panel);
+// A slot with its tabs, the panel that it shows and the borders that can be dragged.
+void draw_slot(GuiFrame& frame, Slot slot, GuiPanel& panel);
+// Begins a menu below the button that was drawn last when that was pressed, within the window, where it scrolls if it
+// is long; ImGui::EndPopup() ends it.
+bool begin_menu(const GuiFrame& frame, const char* id, bool pressed);
 
 void draw_toolbar(GuiFrame& frame);
+// What its menus hold.
+void draw_color_choice(GuiFrame& frame);
+void draw_contact_choice(GuiFrame& frame);
+void draw_panel_items(GuiFrame& frame);
+void draw_view_items(GuiFrame& frame);
 class TimelineBar {
  public:
   void draw(GuiFrame& frame);

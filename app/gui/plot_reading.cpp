@@ -19,10 +19,6 @@ constexpr const char* kLong = "Save…";
 constexpr const char* kShort = "…";  // where the line is full
 constexpr const char* kEndings[] = {".csv", ".svg", ".pdf", ".png"};
 
-float button_width(const char* text) {
-  return ImGui::CalcTextSize(text).x + 2 * ImGui::GetStyle().FramePadding.x;
-}
-
 void keep(const Series& from, std::size_t i, Series& to) {
   to.x.push_back(from.x[i]);
   to.y.push_back(from.y[i]);

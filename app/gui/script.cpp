@@ -249,7 +249,7 @@ class Player {
   }
 
   ActionJson value_at(const std::string& at) const {
-    const ActionJson document = state_document(viewer_.snapshot(), viewer_.ui());
+    const ActionJson document = state_document(viewer_.snapshot(), viewer_.ui(), viewer_.layout());
     try {
       return document.at(ActionJson::json_pointer(at));
     } catch (const ActionJson::exception&) {

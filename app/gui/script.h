@@ -46,6 +46,6 @@ class Script {
 };
 
 // What a script can look at: sessions, view, messages; see the source for its parts.
-nlohmann::ordered_json state_document(const Snapshot& sim, const UiState& ui);
+nlohmann::ordered_json state_document(const Snapshot& sim, const UiState& ui, const GuiLayout& layout);
 
 }  // namespace pabd

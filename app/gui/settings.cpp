@@ -61,6 +61,7 @@ std::string settings_json(const Settings& settings) {
                             {"scale", ui.scale},
                             {"shown", shown},
                             {"open", ui.open.of},
+                            {"sizes", ui.sizes.of},
                             {"contacts", ui.contacts},
                             {"bonds", ui.bonds},
                             {"color", kColors[static_cast<std::size_t>(ui.color)].name},
@@ -106,6 +107,15 @@ Settings parse_settings(const std::string& text, const std::string& source) {
   constexpr std::size_t kCount = std::size(kSlots);
   if (list("open", kCount, kCount, [](const OrderedJson& j) { return j.is_boolean(); }))
     ui.open.of = json["open"].get<std::array<bool, kCount>>();
+  if (list("sizes", kBorderCount, kBorderCount, [](const OrderedJson& j) { return j.is_number(); })) {
+    const auto sizes = json["sizes"].get<std::array<double, kBorderCount>>();
+    for (std::size_t i = 0; i < kBorderCount; ++i) {
+      const SizeRange range = size_range(static_cast<Border>(i));
+      if (sizes[i] != 0 && !(sizes[i] >= range.least && sizes[i] <= range.most))
+        refuse(source, fmt::format("/sizes/{}", i), fmt::format("{} to {}, or 0", range.least, range.most));
+    }
+    ui.sizes.of = sizes;
+  }
   if (list("shown", kCount, kCount, is_text)) {
     for (std::size_t i = 0; i < kCount; ++i) {
       const WindowPanel& panel = find_panel(json["shown"][i].get<std::string>());

@@ -11,7 +11,7 @@
 namespace pabd {
 
 struct Settings {
-  UiState ui;                 // only: dark, scale, shown, open, contacts, bonds, color, recent
+  UiState ui;                 // only: dark, scale, shown, open, sizes, contacts, bonds, color, recent
   int width = 0, height = 0;  // pixels of the window; 0: not known
 };
 

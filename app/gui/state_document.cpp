@@ -89,16 +89,39 @@ OrderedJson sweep_json(const OpenedSweep& sweep) {
   return json;
 }
 
+// Places in pixels of the window, as left, top, width, height; null: not shown.
+OrderedJson layout_json(const GuiLayout& layout, const UiState& ui) {
+  const auto place = [](const Rect& r) {
+    return r.w > 0 && r.h > 0 ? OrderedJson{r.x, r.y, r.w, r.h} : OrderedJson();
+  };
+  OrderedJson out = {{"toolbar", place(layout.toolbar)},
+                     {"timeline", place(layout.timeline)},
+                     {"picture", place(layout.view)}};
+  OrderedJson tabs = OrderedJson::object(), borders = OrderedJson::object();
+  for (const Slot slot : kSlots) {
+    const std::string name(slot_name(slot));
+    out[name] = place(layout.slots[slot]);
+    if (out[name].is_null()) continue;
+    for (const WindowPanel* panel : tabs_of(layout, ui, slot)) tabs[name].push_back(panel->name);
+  }
+  for (const LayoutBorder& border : layout.borders)
+    borders[kBorders[static_cast<std::size_t>(border.what)].name] = place(border.rect);
+  out["tabs"] = std::move(tabs);
+  out["borders"] = std::move(borders);
+  return out;
+}
+
 }  // namespace
 
-OrderedJson state_document(const Snapshot& sim, const UiState& ui) {
+OrderedJson state_document(const Snapshot& sim, const UiState& ui, const GuiLayout& layout) {
   OrderedJson panels = OrderedJson::array(), camera_keys = OrderedJson::array(),
               trails = OrderedJson::array();
   for (const TrailPoint& point : ui.trails) trails.push_back(trail_words(point));
   for (const Slot slot : kSlots) panels.push_back(ui.shown[slot]->name);
   for (const CameraKey& key : ui.camera_keys)
     camera_keys.push_back({{"time", key.time}, {"eye", vec(key.pose.eye)}});
-  OrderedJson held = OrderedJson::array();
+  OrderedJson held = OrderedJson::array(), sizes = OrderedJson::object();
+  for (std::size_t i = 0; i < kBorderCount; ++i) sizes[kBorders[i].name] = ui.sizes.of[i];
   for (const HeldCurve& h : sim.held) held.push_back(h.name);
   OrderedJson messages = OrderedJson::array();
   for (const Message& m : sim.messages) messages.push_back(m.text);
@@ -121,6 +144,7 @@ OrderedJson state_document(const Snapshot& sim, const UiState& ui) {
           {"message", sim.messages.empty() ? "" : sim.messages.back().text},
           {"messages", std::move(messages)},
           {"sweep", sweep_json(ui.sweep)},
+          {"layout", layout_json(layout, ui)},
           {"ui",
            {{"dark", ui.dark},
             {"scale", ui.scale},
@@ -129,6 +153,7 @@ OrderedJson state_document(const Snapshot& sim, const UiState& ui) {
             {"hidden", ui.hidden},
             {"panels", std::move(panels)},
             {"open", ui.open.of},
+            {"sizes", std::move(sizes)},
             {"eye", vec(ui.camera.eye)},
             {"target", vec(ui.camera.target)},
             {"fov", ui.camera.fov},

@@ -3,6 +3,8 @@
 // changes of the scene write it.
 #pragma once
 
+#include <algorithm>
+#include <array>
 #include <memory>
 #include <optional>
 #include <string>
@@ -50,7 +52,8 @@ struct UiState {
   bool help = false, palette = false, hidden = false, costs = false;
   BySlot<const WindowPanel*> shown{&parameters_tab, &barrier_tab, &convergence_tab};
   BySlot<bool> open{true, true, true};
-  Slot front = Slot::left;  // that is shown where there is room for one
+  std::array<Slot, std::size(kSlots)> front{Slot::right_top, Slot::right_bottom, Slot::left};  // see bring()
+  PanelSizes sizes;  // as they were dragged
 
   CameraPose camera;
   std::optional<Framed> framed;
@@ -79,6 +82,14 @@ struct UiState {
   std::string dialog_text;          // what it starts with; empty: something that fits
   std::vector<std::string> recent;  // scenes that were open, newest first; at most kMostRecent
   bool quit = false;
+
+  // Where there is room for fewer panels, it is for those that were brought last.
+  void bring(const WindowPanel& panel) {
+    shown[panel.slot] = &panel;
+    open[panel.slot] = true;
+    const auto place = std::find(front.begin(), front.end(), panel.slot);
+    std::rotate(front.begin(), place, place + 1);
+  }
 
   bool shows(const WindowPanel& panel) const {
     return !hidden && open[panel.slot] && shown[panel.slot] == &panel;

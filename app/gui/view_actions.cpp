@@ -41,9 +41,16 @@ struct Actor {
 
   void operator()(const command::Panel& c) const {
     const WindowPanel& panel = find_panel(c.panel);
-    if (c.on) ui.shown[panel.slot] = &panel;
-    ui.open[panel.slot] = c.on;
-    if (c.on) ui.front = panel.slot;
+    if (c.on) return ui.bring(panel);
+    ui.open[panel.slot] = false;
+  }
+  void operator()(const command::PanelSize& c) const {
+    const auto border = static_cast<Border>(place_in(kBorders, c.border));
+    const SizeRange range = size_range(border);
+    if (c.size != 0 && !(c.size >= range.least && c.size <= range.most))
+      throw Error(ErrorKind::bad_input, fmt::format("panel_size: of \"{}\" expected {} to {}, or 0, got {}",
+                                                    c.border, range.least, range.most, c.size));
+    ui.sizes[border] = c.size;
   }
   void operator()(const command::Theme& c) const { ui.dark = c.dark; }
   void operator()(const command::Scale& c) const {
@@ -166,9 +173,7 @@ struct Actor {
     ui.sweep.asked = asked;
     ui.sweep.reading = !folder.empty();
     if (folder.empty()) return;
-    ui.shown[sweep_tab.slot] = &sweep_tab;
-    ui.open[sweep_tab.slot] = true;
-    ui.front = sweep_tab.slot;
+    ui.bring(sweep_tab);
   }
   void operator()(const command::SweepView& c) const {
     if (!ui.sweep.read)

@@ -39,6 +39,21 @@ struct Panel {
     f(kOn, on);
   }
 };
+// How large panels are; what does not fit into the window is smaller for as long.
+struct PanelSize {
+  static constexpr const char* name = "panel_size";
+  std::string border;
+  double size = 0;
+  void fields(auto&& f) {
+    f(need("border", kBorders, R"("right")",
+           "left, right: that column; upper: of two panels above each other; below: all below the picture"),
+      border);
+    f(may("size",
+          "200 to 4000 pixels of an ordinary screen, or 0.1 to 0.9 of the height; 0: as the window has room",
+          "480"),
+      size);
+  }
+};
 struct Theme {
   static constexpr const char* name = "theme";
   bool dark = true;
@@ -292,9 +307,9 @@ struct Quit {
 }  // namespace command
 
 using ViewCommand =
-    std::variant<command::Panel, command::Theme, command::Scale, command::Help, command::Palette,
-                 command::HideUi, command::Look, command::LookFrom, command::Ortho, command::Follow,
-                 command::FrameSelection, command::Select, command::Join, command::ColorBy,
+    std::variant<command::Panel, command::PanelSize, command::Theme, command::Scale, command::Help,
+                 command::Palette, command::HideUi, command::Look, command::LookFrom, command::Ortho,
+                 command::Follow, command::FrameSelection, command::Select, command::Join, command::ColorBy,
                  command::ContactsBy, command::Show, command::Background, command::Trail,
                  command::CompareView, command::BarrierView, command::ConvergenceView, command::SeriesView,
                  command::DifferenceView, command::Screenshot, command::ExportPlot, command::Record,

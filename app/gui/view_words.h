@@ -46,6 +46,12 @@ inline constexpr Choice kContactColors[] = {
     {kContactQuantities[1], nullptr, "normal force, as bars along which loads go"},
     {kContactQuantities[2], nullptr, "the used part of the largest friction"}};
 inline constexpr Choice kCompareViews[] = {{"ghost"}, {"side"}};
+constexpr const char* slot_words(Slot slot) {
+  constexpr const char* kWords[] = {"panels at the left", "panels top right", "panels bottom right"};
+  return kWords[static_cast<std::size_t>(slot)];
+}
+inline constexpr Choice kBorders[] = {{"left"}, {"right"}, {"upper"}, {"below"}};  // as Border
+static_assert(std::size(kBorders) == kBorderCount);
 inline constexpr Choice kRunPlaces[] = {{"start"}, {"end"}};
 
 // What panels plot, in the order of BarrierQuantity, BarrierAbscissa, ConvergenceQuantity and TimeQuantity (both after

@@ -222,8 +222,7 @@ struct Viewer::Impl {
       begin_fixed("##toolbar", layout.toolbar, ImGuiWindowFlags_NoScrollbar);
       draw_toolbar(frame);
       ImGui::End();
-      for (const Slot slot : kSlots)
-        draw_slot(frame, slot, layout.slots[slot], layout.joined, *panels.at(ui.shown[slot]));
+      for (const Slot slot : kSlots) draw_slot(frame, slot, *panels.at(ui.shown[slot]));
       begin_fixed("##timeline", layout.timeline, ImGuiWindowFlags_NoScrollbar);
       timeline.draw(frame);
       ImGui::End();
@@ -300,7 +299,8 @@ struct Viewer::Impl {
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};
     io.DeltaTime = static_cast<float>(std::clamp(seconds, 1e-4, 1.0));
     Outbox out;
-    GuiFrame frame{*sim,    ui,     unit(),         fonts,
+    GuiFrame frame{*sim,    ui,     layout,         unit(),
+                   fonts,  //
                    metrics, out,    scenes,         studio.recorder(),
                    costs,   sweeps, options.steady, options.files.get()};
     if (hand == Hand::there) take_events(frame);

@@ -99,6 +99,15 @@ std::string shortened(const std::string& text, float width) {
   return out;
 }
 
+void same_line_if_room(float width, float gap) {
+  ImGui::SameLine(0, gap);
+  if (ImGui::GetContentRegionAvail().x < width) ImGui::NewLine();
+}
+
+float button_width(const std::string& text) {
+  return ImGui::CalcTextSize(ui_text(text).c_str()).x + 2 * ImGui::GetStyle().FramePadding.x;
+}
+
 Rect tooltip_place(const Rect& item, Point mouse, double width, double height, const Rect& screen, double gap,
                    double large) {
   const auto fit = [](double at, double size, double lo, double hi) {

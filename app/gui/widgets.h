@@ -18,6 +18,9 @@ void wrapped_label(const std::string& text);
 void wrapped_muted_label(const GuiFrame& frame, const std::string& text);
 // Cut where it would be wider than so many pixels, with "…" for the rest.
 std::string shortened(const std::string& text, float width);
+// Stays on the line if `width` pixels fit.
+void same_line_if_room(float width, float gap = -1);  // gap: as usual
+float button_width(const std::string& text);          // pixels
 // Shows `text` while the mouse is on the last item: beside it, or beside the mouse on a large item.
 void tooltip(const std::string& text);
 // Where a tooltip of that size goes on a screen: below or above the item, or if that is higher than `large` above and

@@ -45,6 +45,26 @@ struct BySlot {
   bool operator==(const BySlot&) const = default;
 };
 
+// Borders of the panels that a person drags, by what is larger then: the columns at the left and at the right of the
+// picture, the upper one of two panels, all that is below the picture.
+enum class Border : std::uint8_t { left, right, upper, below };
+inline constexpr std::size_t kBorderCount = 4;
+// Pixels of an ordinary screen; of `upper` and `below` parts of the height. 0: what suits the window.
+struct PanelSizes {
+  std::array<double, kBorderCount> of{};
+
+  double& operator[](Border border) { return of[static_cast<std::size_t>(border)]; }
+  double operator[](Border border) const { return of[static_cast<std::size_t>(border)]; }
+  bool operator==(const PanelSizes&) const = default;
+};
+// What may be asked for.
+struct SizeRange {
+  double least, most;
+};
+constexpr SizeRange size_range(Border border) {
+  return border == Border::left || border == Border::right ? SizeRange{200, 4000} : SizeRange{0.1, 0.9};
+}
+
 struct WindowPanel {
   const char* name;   // "barrier": in commands and settings
   const char* title;  // of its tab, UTF-8

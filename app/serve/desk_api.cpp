@@ -92,7 +92,7 @@ void DeskWork::answer(const desk::AskState& ask) {
     const std::scoped_lock turn(*options_.turn);
     draw();
   }
-  ask.reply(answer_of(200, state_document(viewer_.snapshot(), viewer_.ui())));
+  ask.reply(answer_of(200, state_document(viewer_.snapshot(), viewer_.ui(), viewer_.layout())));
 }
 
 // Any visitor may ask, so the window and its input stay as they are.

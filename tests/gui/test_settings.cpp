@@ -20,6 +20,7 @@ Settings unusual() {
   s.ui.scale = 1.75;
   s.ui.shown = {&scenes_tab, &barrier_tab, &series_tab};
   s.ui.open = {true, false, true};
+  s.ui.sizes.of = {420, 0, 0.4, 0};
   s.ui.contacts = false;
   s.ui.color = ColorQuantity::speed;
   s.ui.recent = {"/a/b.json", "/c \"d\".json"};
@@ -46,6 +47,7 @@ TEST_CASE("settings come back as they were") {
   CHECK(back.ui.scale == s.ui.scale);
   CHECK(back.ui.shown == s.ui.shown);
   CHECK(back.ui.open == s.ui.open);
+  CHECK(back.ui.sizes == s.ui.sizes);
   CHECK(back.ui.contacts == s.ui.contacts);
   CHECK(back.ui.bonds == s.ui.bonds);
   CHECK(back.ui.color == s.ui.color);
@@ -65,6 +67,9 @@ TEST_CASE("settings that make no sense are refused with their place") {
   CHECK_THAT(settings_refusal(head + R"("color":"mauve"})"), Catch::Contains("/color"));
   CHECK_THAT(settings_refusal(head + R"("open":[true]})"), Catch::Contains("/open"));
   CHECK_THAT(settings_refusal(head + R"("shown":["x","y","z"]})"), Catch::Contains("panel"));
+  CHECK_THAT(settings_refusal(head + R"("sizes":[0,0,0]})"), Catch::Contains("/sizes"));
+  CHECK_THAT(settings_refusal(head + R"("sizes":[0,0,2,0]})"),
+             Catch::Contains("/sizes/2: expected 0.1 to 0.9"));
   CHECK_THAT(settings_refusal(head + R"("recent":[1]})"), Catch::Contains("/recent"));
   CHECK_THAT(settings_refusal(head + R"("width":-3})"), Catch::Contains("/width"));
   // Any beginning of the file, and any byte of it another one: an error or settings, never anything else.
