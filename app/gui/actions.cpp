@@ -72,9 +72,7 @@ void add_rows(std::vector<UserAction>& out) {
     out.push_back({"panel", "Panels", "", fmt::format("{} ({})", lower_case(panel->help), panel->title),
                    sends(command::Panel{panel->name, true})});
   for (const Slot slot : kSlots) {
-    static constexpr const char* kPlaces[] = {"at the left", "top right", "bottom right"};
-    out.push_back({"slot", "Panels", "",
-                   std::string("show or hide the panels ") + kPlaces[static_cast<std::size_t>(slot)],
+    out.push_back({"slot", "Panels", "", std::string("show or hide the ") + slot_words(slot),
                    [slot](const Snapshot&, const UiState& ui, Outbox& o) {
                      o.send(command::Panel{ui.shown[slot]->name, !ui.open[slot]});
                    }});
