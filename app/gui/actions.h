@@ -46,15 +46,21 @@ std::vector<const UserAction*> find_actions(const std::vector<UserAction>& actio
 // "ctrl+s" as people know it: "Ctrl+S"; arrows as arrows.
 std::string chord_text(const KeyChord& chord);
 
-// What the mouse does in the picture, for the help: {"drag", "turn the view"}.
+// What the mouse does, for the help: {"drag", "turn the view"}.
 struct MouseHelp {
   const char *gesture, *help;
 };
+// On the curve of the barrier, while it runs.
+inline constexpr MouseHelp kBarrierHelp[] = {{"drag the dot κ up, down", "how stiff contacts are"},
+                                             {"drag the line d̂ sideways", "where contacts begin to push"},
+                                             {"Ctrl+Z", "as it was before"}};
 inline constexpr MouseHelp kMouseHelp[] = {{"double-click", "select what is there"},
                                            {"Ctrl+drag", "pull a body; wheel: depth"},
                                            {"space+click", "shoot a ball"},
                                            {"drag", "turn the view"},
                                            {"shift+drag, middle drag", "move the view"},
                                            {"wheel, right drag", "nearer, farther"}};
+inline constexpr MouseHelp kPanelHelp[] = {{"drag a border", "how wide or high panels are"},
+                                           {"double-click it", "as the window has room"}};
 
 }  // namespace pabd

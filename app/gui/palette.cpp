@@ -4,6 +4,7 @@
 #include <imgui_stdlib.h>
 
 #include <algorithm>
+#include <span>
 
 #include "app/gui/actions.h"
 #include "app/gui/panels.h"
@@ -30,11 +31,14 @@ void end_over() {
   ImGui::PopStyleVar(3);
 }
 
-void help_row(const GuiFrame& f, const std::string& keys, const std::string& help, float column) {
-  const float left = ImGui::GetCursorPosX();
+void help_row(const GuiFrame& f, const std::string& keys, const std::string& help, double column) {
+  // Beside each other, or in a narrow column below each other.
+  const float left = ImGui::GetCursorPosX(), room = ImGui::GetContentRegionAvail().x;
+  const bool beside = room >= f.px(column + 190);
   label(keys);
-  ImGui::SameLine(left + column);
-  muted_label(f, help);
+  if (beside) ImGui::SameLine();
+  ImGui::SetCursorPosX(left + f.px(beside ? column : 14));
+  wrapped_muted_label(f, help);
 }
 
 void help_groups(const GuiFrame& f, std::initializer_list<const char*> names) {
@@ -42,35 +46,42 @@ void help_groups(const GuiFrame& f, std::initializer_list<const char*> names) {
     heading(f, name);
     for (const UserAction& action : user_actions()) {
       if (action.group != name) continue;
-      for (const KeyChord& chord : action.chords()) help_row(f, chord_text(chord), action.words, f.px(100));
+      for (const KeyChord& chord : action.chords()) help_row(f, chord_text(chord), action.words, 100);
     }
     ImGui::Dummy({0, f.px(4)});
   }
 }
 
+void help_of_mouse(const GuiFrame& f, const char* where, std::span<const MouseHelp> rows) {
+  heading(f, where);
+  for (const MouseHelp& row : rows) help_row(f, row.gesture, row.help, 182);
+  ImGui::Dummy({0, f.px(4)});
+}
+
 }  // namespace
 
 void draw_help(GuiFrame& f, int width, int height) {
+  constexpr double kTwoColumns = 640;
   const auto w = static_cast<float>(width), h = static_cast<float>(height);
   ImGui::SetNextWindowFocus();
   begin_over(f, "##help", {0.5f * w, 0.5f * h}, {0.5f, 0.5f},
-             {std::min(f.px(860), w - f.px(24)), std::min(f.px(650), h - f.px(24))}, {f.px(20), f.px(14)});
-  const float half = 0.5f * (ImGui::GetContentRegionAvail().x - f.px(24));
-  if (ImGui::BeginTable("##keys", 2)) {
-    ImGui::TableSetupColumn("left", ImGuiTableColumnFlags_WidthFixed, half);
-    ImGui::TableSetupColumn("right", ImGuiTableColumnFlags_WidthFixed, half);
+             {std::min(f.px(860), w - f.px(24)), std::min(f.px(720), h - f.px(24))}, {f.px(20), f.px(14)});
+  label("Keys and mouse");
+  ImGui::SameLine(ImGui::GetContentRegionMax().x - button_width("Close"));
+  if (ImGui::Button("Close")) carry_out(f, "help");
+  ImGui::BeginChild("##all");
+  const int columns = ImGui::GetContentRegionAvail().x < f.px(kTwoColumns) ? 1 : 2;
+  if (ImGui::BeginTable("##columns", columns, ImGuiTableFlags_SizingStretchSame)) {
     ImGui::TableNextColumn();
-    ImGui::BeginChild("##left", {half - f.px(20), f.px(600)}, false, ImGuiWindowFlags_NoScrollbar);
-    help_groups(f, {"Time", "View"});
-    heading(f, "Mouse in the picture");
-    for (const MouseHelp& m : kMouseHelp) help_row(f, m.gesture, m.help, f.px(182));
-    ImGui::EndChild();
+    help_of_mouse(f, "Mouse on the barrier, while it runs", kBarrierHelp);
+    help_of_mouse(f, "Mouse in the picture", kMouseHelp);
+    help_of_mouse(f, "Mouse on the panels", kPanelHelp);
+    help_groups(f, {"Time", "Window"});
     ImGui::TableNextColumn();
-    ImGui::BeginChild("##right", {half, f.px(600)}, false, ImGuiWindowFlags_NoScrollbar);
-    help_groups(f, {"Window", "Parameters", "Files"});
-    ImGui::EndChild();
+    help_groups(f, {"View", "Parameters", "Files"});
     ImGui::EndTable();
   }
+  ImGui::EndChild();
   end_over();
 }
 
@@ -111,9 +122,10 @@ void Palette::draw(GuiFrame& f, int width, int height) {
     ImGui::SameLine(left + f.px(4));
     muted_label(f, entry.group);
     ImGui::SameLine(left + f.px(92));
-    label(entry.words);
-    if (const std::string keys = entry.key_text(); !keys.empty()) {
-      const float wide = ImGui::CalcTextSize(ui_text(keys).c_str()).x;
+    const std::string keys = entry.key_text();
+    const float wide = ImGui::CalcTextSize(ui_text(keys).c_str()).x;
+    label(shortened(entry.words, ImGui::GetContentRegionAvail().x - wide - f.px(keys.empty() ? 6 : 20)));
+    if (!keys.empty()) {
       ImGui::SameLine(std::max(ImGui::GetItemRectSize().x, ImGui::GetContentRegionMax().x - wide - f.px(6)));
       muted_label(f, keys);
     }
