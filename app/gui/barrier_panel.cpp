@@ -25,6 +25,8 @@ namespace {
 constexpr double kGripReach = 8;                 // of a grip, px of an ordinary screen
 constexpr int kLinger = 40;                      // frames for which room for warnings stays
 constexpr double kTall = 430;                    // from here on there is room for everything
+constexpr double kLeastPlot = 96;                // height, the same
+constexpr double kFullControls = 352;            // width
 constexpr double kStrip = 30, kHistogram = 150;  // heights, the same
 
 bool in_force(const Params& params, const Advice& advice) {
@@ -48,7 +50,9 @@ class BarrierPanelView final : public GuiPanel {
     const float least = box_height(f, tall);
     float rest = numbers + least + gap;
     if (histogram) rest += f.px(tall ? kHistogram : kStrip) + gap;
-    draw_plot(f, std::max(f.px(96), room - rest - gap));
+    // Where all has too little room the plot has all of it, and the rest is scrolled to.
+    const float plot = room - rest - gap;
+    draw_plot(f, plot >= f.px(kLeastPlot) ? plot : std::max(f.px(kLeastPlot), room - gap));
     if (histogram && tall) {
       plot_widget(f, "histogram", histogram_.plot, {ImGui::GetContentRegionAvail().x, f.px(kHistogram)});
     } else if (histogram) {
@@ -113,7 +117,8 @@ class BarrierPanelView final : public GuiPanel {
         changed = true;
       }
     }
-    ImGui::SameLine(0, f.px(12));
+    const bool full = ImGui::GetWindowContentRegionMax().x >= f.px(kFullControls);
+    ImGui::SameLine(0, f.px(full ? 12 : 2));
     const auto toggle = [&](const char* text, bool& on, const char* help) {
       if (toggle_button(f, text, on, help)) {
         on = !on;
@@ -126,7 +131,7 @@ class BarrierPanelView final : public GuiPanel {
     toggle("/ κ", plain, "B_N = Ψ/κ, the bare polynomial, in place of energies and forces");
     view.energy = !plain;
     toggle("d/d̂", view.histogram, "How the contacts are spread over d/d̂, below the plot");
-    if (ImGui::Button("Curves…")) ImGui::OpenPopup("curves");
+    if (ImGui::Button(full ? "Curves…" : "+")) ImGui::OpenPopup("curves");
     tooltip("Other barriers beside the one in use");
     if (ImGui::BeginPopup("curves")) {
       muted_label(f, "beside the one in use");

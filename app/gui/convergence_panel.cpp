@@ -60,7 +60,7 @@ class ConvergencePanel final : public GuiPanel {
   static void status(const GuiFrame& f) {
     const StepReport& r = f.sim.a.report;
     if (r.step == 0 || r.records.empty()) {
-      muted_label(f, why_no_curve(r, !f.sim.a.device.name.empty()));
+      wrapped_muted_label(f, why_no_curve(r, !f.sim.a.device.name.empty()));
       return;
     }
     const bool limit = r.status == StepStatus::iteration_limit && f.sim.a.made_with.solver.tolerance > 0;

@@ -128,8 +128,8 @@ void Dialogs::look(const Snapshot& sim, const UiState& ui) {
 // The name of the file, and what else there is to choose.
 void Dialogs::fields(GuiFrame& f, bool& go) {
   if (std::exchange(focus_, false)) ImGui::SetKeyboardFocusHere();
-  const float browse = ImGui::CalcTextSize("Browse").x + 2 * ImGui::GetStyle().FramePadding.x;
-  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - browse - ImGui::GetStyle().ItemSpacing.x);
+  ImGui::SetNextItemWidth(ImGui::GetContentRegionAvail().x - button_width("Browse") -
+                          ImGui::GetStyle().ItemSpacing.x);
   go = ImGui::InputText("##name", &text_, ImGuiInputTextFlags_EnterReturnsTrue);
   browser(f, go);
   if (open_ == "screenshot") {
@@ -202,15 +202,19 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
   if (!dialog_kind(f.ui.dialog)) return;
   if (open_ != f.ui.dialog) start(f);
   const bool named = kind_->use != DialogKind::asks;
-  ImGui::SetNextWindowPos({0.5f * static_cast<float>(width), 0.4f * static_cast<float>(height)},
-                          ImGuiCond_Always, {0.5f, 0.5f});
-  ImGui::SetNextWindowSize({std::min(f.px(520), static_cast<float>(width) - f.px(24)), 0});
+  // As high as what it asks for and the window are; the rest is scrolled to.
+  const float wide = std::min(f.px(520), static_cast<float>(width) - f.px(24));
+  const float room = std::max(f.px(60), static_cast<float>(height) - f.px(24));
+  const float middle = std::max(0.4f * static_cast<float>(height), 0.5f * height_ + f.px(12));
+  ImGui::SetNextWindowPos({0.5f * static_cast<float>(width), middle}, ImGuiCond_Always, {0.5f, 0.5f});
+  ImGui::SetNextWindowSizeConstraints({wide, 0}, {wide, room});
   if (!ImGui::BeginPopupModal("##dialog", nullptr,
-                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_NoResize |
+                              ImGuiWindowFlags_NoTitleBar | ImGuiWindowFlags_AlwaysAutoResize |
                                   ImGuiWindowFlags_NoMove | ImGuiWindowFlags_NoSavedSettings))
     return;
+  height_ = ImGui::GetWindowHeight();
   heading(f, kind_->title);
-  if (*kind_->help) muted_label(f, kind_->help);
+  if (*kind_->help) wrapped_muted_label(f, kind_->help);
   bool go = false;
   if (named) fields(f, go);
   const std::string gone = warning(open_, f);
@@ -232,10 +236,10 @@ void Dialogs::draw(GuiFrame& f, int width, int height) {
     if (ImGui::Button(exists ? "Replace" : "Load all the same")) go = force = true;
   }
   if (open_ == "quit" && f.sim.unsaved) {
-    ImGui::SameLine();
+    same_line_if_room(button_width("Save first…"));
     if (ImGui::Button("Save first…")) f.out.send(command::Ask{"save_scene"});
   }
-  ImGui::SameLine();
+  same_line_if_room(button_width("Cancel"));
   const bool cancel = ImGui::Button("Cancel") || ImGui::IsKeyPressed(ImGui::GetKeyIndex(ImGuiKey_Escape));
   if (go) confirm(f, force);
   if (cancel || done_) {

@@ -26,6 +26,7 @@ class Dialogs {
   void confirm(GuiFrame& frame, bool force);
 
   std::string open_;  // which one is shown
+  float height_ = 0;  // of the last frame; pixels
   const DialogKind* kind_ = nullptr;
   std::string text_;            // what is typed
   std::string awaited_;         // name of the command that was confirmed; empty: nothing was

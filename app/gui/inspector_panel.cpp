@@ -123,7 +123,7 @@ class BodyMaker {
   void draw(GuiFrame& f) {
     for (const ShapeKind* kind : shape_kinds()) {
       if (!kind->make) continue;
-      if (kind != shape_kinds().front()) ImGui::SameLine(0, f.px(2));
+      if (kind != shape_kinds().front()) same_line_if_room(button_width(std::string(kind->name)), f.px(2));
       if (toggle_button(f, std::string(kind->name), kind == kind_, "Shape of the new body")) kind_ = kind;
     }
     const auto number = [&](double& value, const std::string& format, const std::string& help, float width) {
@@ -197,7 +197,7 @@ class InspectorPanel final : public GuiPanel {
       gone = ImGui::Button("Delete");
       tooltip(remove);
     }
-    ImGui::SameLine(0, f.px(4));
+    same_line_if_room(button_width("List"), f.px(4));
     if (ImGui::Button("List")) f.out.send(command::Select{"none", ""});
     tooltip("Back to the list of bodies and joints (Esc)");
     for (const InspectorRow& row : rows) {
@@ -260,7 +260,7 @@ class InspectorPanel final : public GuiPanel {
     if (ImGui::Button(waits ? "double-click it…" : "Join to body…"))
       f.out.send(command::Join{waits ? "" : to_string(type_)});
     tooltip("Then double-click the second body where the joint shall be");
-    ImGui::SameLine(0, f.px(4));
+    same_line_if_room(button_width("To world"), f.px(4));
     ImGui::BeginDisabled(run.model->fixed[i] != 0);
     const bool world = ImGui::Button("To world");
     tooltip("Where this body was double-clicked, as it stands now");

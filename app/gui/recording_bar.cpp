@@ -89,7 +89,7 @@ void draw_video_fields(const GuiFrame& f, command::Record& r, const std::functio
                                 "Time for a smaller file: the slower, the smaller"))
     r.preset = presets[*i];
   if (!mp4) return;
-  ImGui::SameLine();
+  same_line_if_room(ImGui::CalcTextSize("by").x + ImGui::GetStyle().ItemSpacing.x + f.px(110));
   label("by");
   ImGui::SameLine();
   const auto* encoder = std::find(std::begin(kEncoders), std::end(kEncoders), r.encoder);
@@ -124,7 +124,12 @@ void draw_record_fields(const GuiFrame& f, command::Record& r, bool& along_keys)
   label("to");
   ImGui::SameLine();
   number("##to", r.to, "%.3f s", "Last moment");
-  muted_label(f, fmt::format("of {:.3f} to {:.3f} s", first, last));
+  const std::string all = fmt::format("of {:.3f} to {:.3f} s", first, last);
+  if (ImGui::CalcTextSize(all.c_str()).x > ImGui::GetContentRegionAvail().x) {
+    ImGui::NewLine();
+    ImGui::SetCursorPosX(f.px(80));
+  }
+  muted_label(f, all);
   name("frames");
   number("##fps", r.fps, "%g", "Frames a second of simulated time");
   label("a second");

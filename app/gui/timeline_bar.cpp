@@ -19,9 +19,12 @@ constexpr double kShortest = 1e-3;            // s: of the track
 constexpr double kSmall = 10.5;               // pixels: text on the track
 constexpr double kMark = 4.5, kBeside = 6.5;  // pixels: half of a mark, and from it to its name
 constexpr double kRoomForName = 110;          // pixels between two times
+constexpr double kNarrow = 440;               // pixels: a telephone's screen
 constexpr double kSpeeds[] = {0.01, 0.1, 0.25, 0.5, 1, 2, 0};
 
-std::string speed_text(double factor) {
+// `brief`: where there is little room.
+std::string speed_text(double factor, bool brief = false) {
+  if (brief) return factor == 0 ? "fastest" : fmt::format("{:g}×", factor);
   return factor == 0 ? "as fast as it goes" : fmt::format("{:g}× real time", factor);
 }
 
@@ -188,8 +191,9 @@ void TimelineBar::draw(GuiFrame& f) {
   ImGui::SameLine();
   if (icon_button(f, "forward", "One step forward (→)")) f.out.send(Command(command::Step{1}));
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(f.px(146));
-  if (ImGui::BeginCombo("##speed", speed_text(f.sim.speed).c_str())) {
+  const bool narrow = ImGui::GetContentRegionMax().x < f.px(kNarrow);
+  ImGui::SetNextItemWidth(f.px(narrow ? 78 : 146));
+  if (ImGui::BeginCombo("##speed", speed_text(f.sim.speed, narrow).c_str())) {
     for (const double factor : kSpeeds) {
       if (ImGui::Selectable(speed_text(factor).c_str(), factor == f.sim.speed))
         f.out.send(Command(command::Speed{factor}));
@@ -197,17 +201,22 @@ void TimelineBar::draw(GuiFrame& f) {
     ImGui::EndCombo();
   }
   tooltip("How fast it plays");
-  ImGui::SameLine(0, f.px(16));
+  ImGui::SameLine(0, f.px(narrow ? 8 : 16));
   // As wide for every number of up to so many digits: what follows stays where it is.
   const float time_left = ImGui::GetCursorPosX();
   label(fmt::format("{:.3f} s", now));
   ImGui::SameLine(std::max(time_left + ImGui::CalcTextSize("000.000 s").x,
                            ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x) +
                   ImGui::GetStyle().ItemSpacing.x);
-  const float step_left = ImGui::GetCursorPosX();
-  muted_label(f, fmt::format("step {}", f.sim.a.state->step));
-  const float step_end = std::max(step_left + ImGui::CalcTextSize("step 00000").x,
-                                  ImGui::GetItemRectMax().x - ImGui::GetWindowPos().x);
+  const std::string step = fmt::format("step {}", f.sim.a.state->step);
+  float step_end = ImGui::GetCursorPosX() +
+                   std::max(ImGui::CalcTextSize("step 00000").x, ImGui::CalcTextSize(step.c_str()).x);
+  if (step_end <= ImGui::GetContentRegionMax().x) {
+    muted_label(f, step);
+  } else {
+    step_end = ImGui::GetCursorPosX() - ImGui::GetStyle().ItemSpacing.x;
+    ImGui::NewLine();
+  }
   // What does not fit any more is left out.
   const auto room_for = [&](const std::string& text) {
     return step_end + ImGui::GetStyle().ItemSpacing.x + ImGui::CalcTextSize(ui_text(text).c_str()).x <=
