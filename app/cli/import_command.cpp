@@ -19,7 +19,7 @@ namespace {
 struct Options {
   CommonOptions common;
   OutputOptions output;
-  std::string robot, base = "auto";
+  std::string robot, base = "auto", self_collision = "start", keyframe;
   bool no_ground = false;
 };
 
@@ -30,8 +30,16 @@ RobotBase base_of(const std::string& word) {
   throw Error(ErrorKind::bad_input, fmt::format("--base: '{}'; expected auto, fixed or floating", word));
 }
 
+SelfCollision self_collision_of(const std::string& word) {
+  if (word == "all") return SelfCollision::all;
+  if (word == "start") return SelfCollision::start;
+  if (word == "none") return SelfCollision::none;
+  throw Error(ErrorKind::bad_input, fmt::format("--self-collision: '{}'; expected all, start or none", word));
+}
+
 int import_scene(const Options& options) {
-  const ImportOptions how{base_of(options.base), !options.no_ground};
+  const ImportOptions how{base_of(options.base), !options.no_ground,
+                          self_collision_of(options.self_collision), options.keyframe};
   const ImportedScene scene = import_robot(options.robot, how);
   InputFiles inputs;
   inputs.add(options.robot);
@@ -50,13 +58,23 @@ void add_import_command(CLI::App& app, Action& action) {
   const Command command(
       app, "import", "make a scene of a robot in URDF or MJCF, and list what of it a scene cannot have",
       {"pabd import robot.urdf -o robot.json", "pabd import arm.urdf -o arm.json --base fixed",
-       "pabd import humanoid.xml -o humanoid.json --force"},
+       "pabd import humanoid.xml -o humanoid.json --keyframe squat --self-collision none"},
       options->common);
   command.argument("ROBOT", options->robot, "a .urdf file, or MJCF as .xml")->required();
   command.output(options->output, "the scene file; - is standard output");
-  command.word(group::kOwn, "--base", options->base, {"auto", "fixed", "floating"},
-               "of URDF: auto (fixed when its root is called world or has no mass), fixed or floating",
-               "BASE");
+  command.word(
+      group::kOwn, "--base", options->base, {"auto", "fixed", "floating"},
+      "of URDF: fixed, floating or auto: fixed when its root is called world, or has no mass and the robot "
+      "neither wheels nor feet",
+      "BASE");
+  command.word(
+      group::kOwn, "--self-collision", options->self_collision, {"all", "start", "none"},
+      "links of one robot that may touch each other: all that the file lets, those that do not touch "
+      "at the start, or none",
+      "WHICH");
+  command.option(group::kOwn, "--keyframe", options->keyframe,
+                 "of MJCF: start at this keyframe, with its controls, in place of the pose of the bodies",
+                 "NAME");
   command.flag(group::kOwn, "--no-ground", options->no_ground, "of URDF that floats: no ground below it");
   command.carry_out(action, options, import_scene);
 }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
-// See assemble.h. Groups of links become bodies; then joints, and pairs that never touch.
+// See assemble.h. Groups of links become bodies and joints.
 #include "sim/import/assemble.h"
 
 #include <fmt/format.h>
 
-#include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
@@ -15,13 +14,12 @@
 #include "sim/base/utf8.h"
 #include "sim/body/compound.h"
 #include "sim/import/geometry.h"
+#include "sim/import/keep_apart.h"
 #include "sim/import/link_groups.h"
 #include "sim/scene/text.h"
 
 namespace pabd {
 namespace {
-
-constexpr std::size_t kMostPairs = 1'000'000;
 
 double radius_of(const std::vector<std::vector<Vec3>>& parts) {
   double out = 0;
@@ -62,7 +60,7 @@ class Assembler {
     for (std::size_t l = 0; l < links_.size(); ++l) make(l);
     for (const auto& [number, follow] : follows_) make_follow(number, *follow);
     for (const RobotLoop& loop : robot_.loops) make_loop(loop);
-    keep_apart();
+    keep_apart(robot_, groups_, plan_);
     weigh_trees();
     if (plan_.bodies.empty()) throw Error(ErrorKind::bad_input, "the robot has no bodies");
     return std::move(plan_);
@@ -78,7 +76,9 @@ class Assembler {
     const RobotLink& link = group.link;
     BodyPlan body;
     body.name = names_.take(link.name, fmt::format("link {}", l));
+    body.tree = group.tree;
     body.mass = link.inertia->mass;
+    body.lifted = link.inertia->lifted;
     body.c = group.pose * link.inertia->com;
     body.R = group.pose.R;
     body.I = link.inertia->I;
@@ -111,14 +111,14 @@ class Assembler {
     }
     if (none) {
       body.ghost = true;
-      note(link.place, shown.empty() ? "has no shape: it touches nothing and is drawn as a box of its inertia"
+      note(link.place, shown.empty() ? "has no shape: it touches nothing and is not drawn"
                                      : "has no geometry to collide with: it touches nothing");
     }
     if (shown.size() > kMostParts) {
       note(link.place, fmt::format("more than {} geoms in a link: only so many are taken", kMostParts));
       shown.resize(kMostParts);
     }
-    if (shown.empty()) return inertia_box(body);
+    if (shown.empty()) return unseen(body);
     body.color = shown.front()->color;
     masks(link, shown, body);
     if (shown.size() == 1 && primitive(*shown.front(), *link.inertia, body)) return;
@@ -161,27 +161,20 @@ class Assembler {
     RobotGeom centred = geom;
     centred.at = LinkPose{};
     const RobotInertia even = solid_of(centred, 1);
-    centred.at.t = body.centre;
     body.even = (even.I * (inertia.mass / even.mass) - body.I).norm() <= 1e-9 * body.I.norm();
     body.parts = {corners_of(centred)};  // for bounds
+    for (Vec3& corner : body.parts.front()) corner += body.centre;
     return true;
   }
 
-  // The box with these moments: a link has to look like something.
-  void inertia_box(BodyPlan& body) {
-    const Eigen::SelfAdjointEigenSolver<Mat3> principal(body.I);
-    Mat3 axes = principal.eigenvectors();
-    if (axes.determinant() < 0) axes.col(0) = -axes.col(0);
-    const Vec3 I = principal.eigenvalues();
-    for (int k = 0; k < 3; ++k)
-      body.size[k] = std::clamp(std::sqrt(std::max(1.5 * (I.sum() - 2 * I[k]) / body.mass, 0.0)), 1e-5, 1e5);
-    body.kind = GeomKind::box;
-    body.R = body.R * axes;
-    body.I = I.asDiagonal();
-    RobotGeom box;
-    box.kind = GeomKind::box;
-    box.size = body.size;
-    body.parts = {corners_of(box)};
+  // A ball of about these moments, which is not drawn.
+  void unseen(BodyPlan& body) {
+    body.hidden = true;
+    body.kind = GeomKind::sphere;
+    RobotGeom ball;
+    ball.size.x() = std::clamp(std::sqrt(2.5 * body.I.trace() / (3 * body.mass)), 1e-3, 0.05);
+    body.size = ball.size;
+    body.parts = {corners_of(ball)};
   }
 
   void make_joints(LinkGroup& group, const BodyPlan& body) {
@@ -235,7 +228,7 @@ class Assembler {
                               "moves freely",
                               in_quotes(follow.joint)));
     if (follow.ratio == 0) return note(follow.place, "follows another joint with the ratio 0: moves freely");
-    if (joint.target) note(joint.place, "position actuator of a joint that follows another: not taken");
+    if (joint.target) note(joint.place, "equality of a joint that follows another: not taken");
     joint.target.reset();
     joint.follows = {static_cast<int>(leader->second), follow.ratio, follow.offset};
   }
@@ -276,6 +269,7 @@ class Assembler {
       body.color = geom->color;
       body.type = geom->type;
       body.affinity = geom->affinity;
+      body.tree = geom->tree;
       body.friction = geom->friction;
       body.c = group.pose * geom->at.t;
       body.R = group.pose.R * geom->at.R;
@@ -287,13 +281,15 @@ class Assembler {
     }
   }
 
+  // What touches stands on the ground; where nothing does, what is seen; else what there is.
   void lower(const BodyPlan& body) {
+    const int rank = body.hidden ? 1 : body.ghost ? 2 : 3;
     double radius = 0;
     for (const auto& part : body.parts) {
       for (const Vec3& corner : part) {
         const double z = (body.c + body.R * corner).z();
-        plan_.lowest = lowered_ ? std::min(plan_.lowest, z) : z;
-        lowered_ = true;
+        if (rank > lowered_ || (rank == lowered_ && z < plan_.lowest)) plan_.lowest = z;
+        lowered_ = std::max(lowered_, rank);
         radius = std::max(radius, corner.norm());
       }
     }
@@ -336,10 +332,6 @@ class Assembler {
     return group_with(link).pose;
   }
 
-  void apart(int a, int b) {
-    if (a != b && a != kNoBody && b != kNoBody) plan_.apart.emplace_back(std::minmax(a, b));
-  }
-
   // Links come after their parents: from the last one on, masses go to the roots.
   void weigh_trees() {
     std::vector<double> mass(links_.size());
@@ -352,33 +344,6 @@ class Assembler {
     }
   }
 
-  void keep_apart() {
-    const int n = static_cast<int>(plan_.bodies.size());
-    for (int a = 0; a < n; ++a) {
-      for (int b = a + 1; b < n; ++b) {
-        const BodyPlan &x = plan_.bodies[static_cast<std::size_t>(a)],
-                       &y = plan_.bodies[static_cast<std::size_t>(b)];
-        const bool meet = robot_.contacts && ((x.type & y.affinity) != 0 || (y.type & x.affinity) != 0);
-        if ((x.ghost || y.ghost || !meet) && !(x.fixed && y.fixed)) apart(a, b);
-      }
-      if (plan_.apart.size() > kMostPairs)
-        throw Error(ErrorKind::bad_input, "too many pairs that never touch");
-    }
-    for (const LinkGroup& group : links_) {
-      if (group.still || group.dropped || group.link.parent == kNoLink) continue;
-      const LinkGroup& parent = links_[static_cast<std::size_t>(group.link.parent)];
-      if (parent.still && !robot_.parent_is_filtered_at_world) continue;
-      if (!parent.still && group.link.joints.size() == 1) continue;  // their joint says it
-      for (const int body : parent.bodies) apart(group.bodies.front(), body);
-    }
-    for (const auto& [i, j] : robot_.excludes) {
-      for (const int x : group_with(i).bodies)
-        for (const int y : group_with(j).bodies) apart(x, y);
-    }
-    std::sort(plan_.apart.begin(), plan_.apart.end());
-    plan_.apart.erase(std::unique(plan_.apart.begin(), plan_.apart.end()), plan_.apart.end());
-  }
-
   const Robot& robot_;
   ImportNotes& notes_;
   ScenePlan plan_;
@@ -388,7 +353,7 @@ class Assembler {
   UniqueNames names_{std::set<std::string>{kGroundName}}, joint_names_;
   std::map<std::string, std::size_t> joint_number_;  // by their names in the file
   std::vector<std::pair<std::size_t, const RobotFollow*>> follows_;
-  bool lowered_ = false;
+  int lowered_ = 0;  // rank of the lowest
 };
 
 }  // namespace

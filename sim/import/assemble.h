@@ -17,6 +17,7 @@ struct BodyPlan {
   bool ghost = false;     // touches nothing
   bool hidden = false;    // not drawn
   double mass = 0;        // kg
+  double lifted = 0;      // of it, what gravity does not pull; kg
   Mat3 I = Mat3::Zero();  // about c, along the body's axes; kg m²
   Vec3 c = Vec3::Zero();  // centre of mass, world; m
   Mat3 R = Mat3::Identity();
@@ -28,6 +29,7 @@ struct BodyPlan {
   bool even = false;  // I is that of even matter in the shape
   std::optional<Vec3> color;
   int type = 1, affinity = 1;
+  int tree = kNoTree;                       // the robot that it is a part of
   std::optional<SurfaceFriction> friction;  // of what touches
 };
 

@@ -4,10 +4,12 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
 #include "sim/base/utf8.h"
-#include "sim/import/assemble.h"
+#include "sim/import/keep_apart.h"
 #include "sim/import/readers.h"
 #include "sim/import/scene_text.h"
 #include "sim/scene/mesh_surface.h"
@@ -43,13 +45,32 @@ std::string describe(const std::string& file, const std::vector<ImportNote>& not
   return out;
 }
 
+// What was left out, where nothing is left.
+std::string why(const std::vector<ImportNote>& notes) {
+  constexpr std::size_t kMost = 8;
+  std::string out;
+  for (std::size_t k = 0; k < std::min(notes.size(), kMost); ++k)
+    out += (k == 0 ? ": " : "; ") + one_line(notes[k].line());
+  if (notes.size() > kMost) out += fmt::format("; and {} more", notes.size() - kMost);
+  return out;
+}
+
 // What is wrong with the whole of it is told of the root.
 ScenePlan plan_of(const Robot& robot, const XmlElement& root, ImportNotes& notes) {
   try {
     return assemble(robot, notes);
   } catch (const Error& error) {
-    if (error.source().empty()) root.fail(error.what());
+    if (error.source().empty()) root.fail(error.what() + why(notes.all()));
     throw;
+  }
+}
+
+// What comes out does load.
+Scene loaded(const std::string& text, const std::string& name) {
+  try {
+    return parse_scene(text, "its scene", {});
+  } catch (const Error& error) {
+    throw Error(error.kind(), name, fmt::format("cannot be a scene: {}", error.what()));
   }
 }
 
@@ -57,20 +78,25 @@ std::string import_urdf_or_mjcf(const XmlElement& root, XmlFiles& files, RobotMe
                                 ImportNotes& notes, const ImportOptions& options, const std::string& file) {
   const bool urdf = root.name() == "robot";
   if (!urdf && root.name() != "mujoco") root.fail("expected <robot> of URDF or <mujoco> of MJCF");
-  const Robot robot = urdf ? read_urdf(root, meshes, notes, options) : read_mjcf(root, files, meshes, notes);
-  const ScenePlan plan = plan_of(robot, root, notes);
+  if (urdf && !options.keyframe.empty()) root.fail("URDF has no keyframes; expected MJCF");
+  const Robot robot =
+      urdf ? read_urdf(root, meshes, notes, options) : read_mjcf(root, files, meshes, notes, options);
+  ScenePlan plan = plan_of(robot, root, notes);
   SceneWords words;
   words.name = fit_name(robot.name, fs::path(file).stem().string());
   words.gravity = robot.gravity;
   words.time_step = robot.time_step.value_or(kTimeStep);
-  words.ground = urdf && options.ground && robot.links.front().free;
-  if (words.ground) notes.add("the root floats, above a ground that the format does not have", "", 0);
-  if (urdf && !robot.links.front().free) notes.add("the root is fixed to the world", "", 0);
+  const auto floats = [](const RobotLink& link) { return link.free; };
+  words.ground = urdf && options.ground && std::any_of(robot.links.begin(), robot.links.end(), floats);
+  if (urdf) notes.add(robot.base, "", 0);
+  if (words.ground) notes.add("a ground is put under what floats: the format has none", "", 0);
   words.description = [&] { return describe(file, notes.all()); };
+  ImportNotes of_all = notes;  // what this text says of joints is said again of the last one
+  const Scene all = loaded(scene_text(plan, words, of_all), file);
+  keep_apart(options.self_collision, all, words.ground ? 1 : 0, plan, notes);
   return scene_text(plan, words, notes);
 }
 
-// A robot as a scene whose text was not read yet.
 ImportedScene convert(const std::string& text, const std::string& name, const fs::path& folder,
                       const ImportOptions& options, const MayRead& may_read) {
   XmlFiles files(may_read);
@@ -86,14 +112,6 @@ ImportedScene convert(const std::string& text, const std::string& name, const fs
   return out;
 }
 
-void check_loads(const ImportedScene& scene, const std::string& name) {
-  try {
-    parse_scene(scene.text, "its scene", {});
-  } catch (const Error& error) {
-    throw Error(error.kind(), name, fmt::format("cannot be a scene: {}", error.what()));
-  }
-}
-
 std::string robot_text(const fs::path& file) {
   return read_file(file, kMostXmlBytes, "a robot in URDF or MJCF");
 }
@@ -107,9 +125,7 @@ bool is_robot_file(const fs::path& file) {
 
 ImportedScene import_robot_text(const std::string& text, const std::string& name, const fs::path& folder,
                                 const ImportOptions& options, const MayRead& may_read) {
-  ImportedScene out = convert(text, name, folder, options, may_read);
-  check_loads(out, name);
-  return out;
+  return convert(text, name, folder, options, may_read);
 }
 
 ImportedScene import_robot(const fs::path& file, const ImportOptions& options, const MayRead& may_read) {
@@ -140,12 +156,7 @@ Scene load_any_scene(const fs::path& file, const std::vector<std::string>& overr
   Scene scene;
   if (is_robot_file(file)) {
     const ImportedScene imported = convert(robot_text(file), file.string(), file.parent_path(), {}, {});
-    try {
-      scene = parse_scene(imported.text, file.string(), file.parent_path(), overrides);
-    } catch (const Error&) {
-      check_loads(imported, file.string());  // it is not what was set
-      throw;
-    }
+    scene = parse_scene(imported.text, file.string(), file.parent_path(), overrides);
     if (notes != nullptr) *notes = imported.notes;
     scene.files = imported.files;
   } else {

@@ -15,9 +15,15 @@ namespace pabd {
 // How the root of a URDF stands. automatic: fixed when it is called "world" or has no mass, else floating.
 enum class RobotBase { automatic, fixed, floating };
 
+// Which links of one robot may touch each other, besides those that the file keeps apart: all; those that are not nearer
+// than d̂ at the start; none.
+enum class SelfCollision { all, start, none };
+
 struct ImportOptions {
   RobotBase base = RobotBase::automatic;
   bool ground = true;  // under a URDF that floats: the format has none
+  SelfCollision self_collision = SelfCollision::start;
+  std::string keyframe;  // of MJCF, to start at; empty: none
 };
 
 struct ImportedScene {

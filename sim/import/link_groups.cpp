@@ -17,7 +17,8 @@ namespace {
 
 constexpr std::size_t kMostInARow = 20;  // joints, each of which follows the next
 
-constexpr double kDensity = 1000;  // kg/m³, of a moving link that says nothing of its mass
+constexpr double kLeastMass = 1e-9;  // kg, that a body of a scene may have
+constexpr double kDensity = 1000;    // kg/m³, of a moving link that says nothing of its mass
 
 class Grouping {
  public:
@@ -25,7 +26,13 @@ class Grouping {
 
   LinkGroups group() {
     merge();
-    for (std::size_t l = out_.groups.size(); l-- > 0;) weigh(l);  // what is behind a link comes first
+    behind_.resize(out_.groups.size());
+    for (std::size_t l = out_.groups.size(); l-- > 0;) {  // what is behind a link comes first
+      weigh(l);
+      const RobotLink& link = out_.groups[l].link;
+      if (link.parent != kNoLink)
+        behind_[static_cast<std::size_t>(link.parent)] += behind_[l] + link.inertia->mass;
+    }
     place();
     return std::move(out_);
   }
@@ -33,10 +40,19 @@ class Grouping {
  private:
   void note(const Place& place, const std::string& text) { notes_.add(text, place.file, place.line); }
 
+  // Robots that stand in a world are trees of their own.
+  int tree_of(std::size_t l) const {
+    const int parent = robot_.links[l].parent;
+    if (parent == kNoLink) return robot_.has_world ? kNoTree : static_cast<int>(l);
+    const int above = tree_[static_cast<std::size_t>(parent)];
+    return above == kNoTree ? static_cast<int>(l) : above;
+  }
+
   // Every link's group, and where it stands in it.
   void merge() {
     std::vector<LinkPose> in_group;
     for (const RobotLink& link : robot_.links) {
+      tree_.push_back(tree_of(tree_.size()));
       const bool root = link.parent == kNoLink;
       const bool joined = !root && link.joints.empty() && !link.free;
       LinkPose pose;
@@ -50,6 +66,7 @@ class Grouping {
         group.link.geoms.clear();
         group.link.inertia.reset();
         group.still = root && !link.free;
+        group.tree = tree_.back();
         if (!root) {
           const auto parent = static_cast<std::size_t>(link.parent);
           group.link.at = in_group[parent] * link.at;
@@ -63,14 +80,15 @@ class Grouping {
   }
 
   void take(const RobotLink& link, const LinkPose& pose, RobotLink& into) {
-    RobotInertia inertia = into.inertia.value_or(RobotInertia{});
-    if (link.inertia) inertia = together(inertia, moved(*link.inertia, pose));
+    RobotInertia own = link.inertia ? moved(*link.inertia, pose) : RobotInertia{};
     for (RobotGeom geom : link.geoms) {
       geom.at = pose * geom.at;
-      if (!link.inertia && geom.kind != GeomKind::plane) inertia = together(inertia, inertia_of(geom));
+      geom.tree = tree_.back();
+      if (!link.inertia && geom.kind != GeomKind::plane) own = together(own, inertia_of(geom));
       into.geoms.push_back(std::move(geom));
     }
-    into.inertia = inertia;
+    own.lifted = link.lifted * own.mass;
+    into.inertia = together(into.inertia.value_or(RobotInertia{}), own);
   }
 
   // A mass for each moving group. What nobody gave one gets it from its geoms; a leaf with neither is dropped.
@@ -79,6 +97,10 @@ class Grouping {
     RobotLink& link = group.link;
     if (group.still) return;
     RobotInertia& inertia = *link.inertia;
+    if (inertia.mass > 0 && inertia.mass < kLeastMass) {
+      note(link.place, "moves with less than 1e-09 kg: as if it had no mass");
+      inertia = {};
+    }
     if (!(inertia.mass > 0)) {
       for (const RobotGeom& geom : link.geoms)
         if (touches(geom) && geom.kind != GeomKind::plane)
@@ -86,8 +108,9 @@ class Grouping {
       if (inertia.mass > 0)
         note(link.place, "moves but has no mass: that of its geometry at 1000 kg/m³ is taken");
     }
-    if (!(inertia.mass > 0)) return weightless(l);
-    if (inertia.mass < 1e-9 || inertia.mass > 1e12) refuse_link(link, "a mass outside of 1e-09 to 1e+12 kg");
+    if (!(inertia.mass >= kLeastMass)) return weightless(l);
+    if (inertia.mass < kLeastMass || inertia.mass > 1e12)
+      refuse_link(link, "a mass outside of 1e-09 to 1e+12 kg");
     if (is_physical(inertia.I)) return;
     note(link.place, "no body has these moments of inertia; the least is raised until one has");
     if (!(inertia.I.trace() > 0)) inertia.I = Mat3::Identity() * (1e-4 * inertia.mass);  // a ball of 16 mm
@@ -97,11 +120,7 @@ class Grouping {
   // A link without mass that carries others is light; one that carries none does nothing.
   void weightless(std::size_t l) {
     LinkGroup& group = out_.groups[l];
-    double above = 0;
-    for (std::size_t k = l + 1; k < out_.groups.size(); ++k) {
-      if (out_.groups[k].link.parent != static_cast<int>(l)) continue;
-      if (const auto& i = out_.groups[k].link.inertia) above += i->mass;
-    }
+    const double above = behind_[l];
     if (!(above > 0)) {
       group.dropped = true;
       note(group.link.place,
@@ -110,8 +129,8 @@ class Grouping {
     }
     note(group.link.place, "moves but has no mass: a thousandth of that of the links behind it is taken");
     const double r = 0.02;  // m
-    group.link.inertia =
-        RobotInertia{kLight * above, Vec3::Zero(), Mat3::Identity() * (0.4 * kLight * above * r * r)};
+    const double mass = std::max(kLight * above, kLeastMass);
+    group.link.inertia = RobotInertia{mass, Vec3::Zero(), Mat3::Identity() * (0.4 * mass * r * r)};
   }
 
   // Where joints start: at 0, or at the nearest in their range; what follows another joint, where that says.
@@ -123,12 +142,15 @@ class Grouping {
       for (std::size_t k = 0; k < group.start.size(); ++k) {
         RobotJoint& joint = group.link.joints[k];
         double& q = group.start[k];
+        q = joint.start;
         if (joint.range) q = std::clamp(q, joint.range->first, joint.range->second);
         start.try_emplace(joint.name, &q);
         if (joint.follows) {
           following.emplace_back(&joint, &q);
-        } else if (q != 0) {
-          note(joint.place, "its range leaves out 0: it begins at the bound");
+        } else if (q != joint.start) {
+          note(joint.place, joint.start == 0
+                                ? "its range leaves out 0: it begins at the bound"
+                                : "its range leaves out where it starts: it begins at the bound");
         }
       }
     }
@@ -167,6 +189,8 @@ class Grouping {
 
   const Robot& robot_;
   ImportNotes& notes_;
+  std::vector<int> tree_;       // of each link
+  std::vector<double> behind_;  // mass behind each group; kg
   LinkGroups out_;
 };
 

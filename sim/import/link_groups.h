@@ -17,6 +17,7 @@ struct LinkGroup {
   RobotLink link;             // the first of them, with the geoms and the mass of all; its parent is a group
   bool still = false;         // fixed in the world
   bool dropped = false;       // has nothing that could move
+  int tree = kNoTree;         // of what moves
   LinkPose pose;              // world, at the start
   std::vector<double> start;  // of its joints; rad or m
   std::vector<int> bodies;    // made of it: one, or of what is still one a geom

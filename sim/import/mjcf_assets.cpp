@@ -30,8 +30,6 @@ MjcfAssets::Mesh read_mesh(const MjcfElement& element, const MjcfCompiler& compi
       const Vec3 point((*numbers)[k], (*numbers)[k + 1], (*numbers)[k + 2]);
       mesh.vertices.push_back(mesh.scale.cwiseProduct(point));
     }
-  } else {
-    own.fail("expected a file or vertex");
   }
   return mesh;
 }

@@ -97,6 +97,11 @@ bool read_mesh(const MjcfElement& element, const MjcfContext& context, RobotGeom
   if (found == context.assets.meshes.end()) source.fail_at("mesh", "there is no mesh " + in_quotes(name));
   const MjcfAssets::Mesh& mesh = found->second;
   geom.kind = GeomKind::mesh;
+  if (mesh.file.empty() && mesh.vertices.empty()) {
+    own.note(*context.notes,
+             fmt::format("mesh {} is left out: it is made by MuJoCo itself", in_quotes(name)));
+    return false;
+  }
   if (!mesh.file.empty()) {
     if (!context.meshes->put(context.compiler.mesh_folder / mesh.file, mesh.scale, own, geom, *context.notes))
       return false;
@@ -167,11 +172,10 @@ SurfaceFriction geom_friction(const XmlElement& element, const XmlElement& dimen
   return {slip, slip, condim < 4 ? 0 : given[1], condim < 6 ? 0 : given[2]};
 }
 
-void require_size(const MjcfElement& element, const RobotGeom& geom) {
-  for (std::size_t k = 0; k < sizes_of(geom.kind); ++k) {
-    const double x = geom.size[static_cast<Index>(k)];
-    if (!(x >= 1e-6 && x <= 1e6)) element.own().fail_at("size", "expected numbers from 1e-06 to 1000000 (m)");
-  }
+// Empty things are marks.
+bool has_size(const RobotGeom& geom) {
+  const auto size = geom.size.head(static_cast<Index>(sizes_of(geom.kind)));
+  return size.size() == 0 || (size.minCoeff() >= kLeastSize && size.maxCoeff() <= kMostSize);
 }
 
 std::optional<Vec3> read_color(const MjcfElement& element, const MjcfContext& context) {
@@ -186,11 +190,15 @@ std::optional<Vec3> read_color(const MjcfElement& element, const MjcfContext& co
 
 // "ctrlrange" and "ctrllimited", or the like: a range that holds.
 std::optional<std::pair<double, double>> range_of(const MjcfElement& element, std::string_view key,
-                                                  std::string_view limited, const MjcfCompiler& compiler) {
+                                                  std::string_view limited, const MjcfContext& context) {
   const auto range = element.with(key).numbers(key, 2, 2);
   const std::string word = element.with(limited).find(limited).value_or("auto");
-  if (!range || !(word == "true" || (word == "auto" && compiler.autolimits))) return {};
-  if (!((*range)[0] <= (*range)[1])) element.own().fail_at(key, "expected the lower bound before the upper");
+  if (!range || !(word == "true" || (word == "auto" && context.compiler.autolimits))) return {};
+  if (!((*range)[0] <= (*range)[1])) {
+    element.own().note(*context.notes,
+                       fmt::format("{}: its lower bound is above the upper one: not held", key));
+    return {};
+  }
   return std::pair((*range)[0], (*range)[1]);
 }
 
@@ -256,7 +264,10 @@ std::optional<RobotGeom> mjcf_geom(const MjcfElement& element, const MjcfContext
     const bool fitted = element.has("mesh") && geom.kind != GeomKind::plane;
     if (fitted && !fit_to_mesh(element, context, geom)) return {};
     if (!fitted && !read_fromto(element, geom)) read_size(element, geom);
-    require_size(element, geom);
+    if (!has_size(geom)) {
+      own.note(*context.notes, kNoSize);
+      return {};
+    }
   }
   geom.mass = element.with("mass").number("mass");
   geom.density = element.with("density").number("density").value_or(1000);
@@ -332,20 +343,23 @@ std::optional<RobotJoint> mjcf_joint(const MjcfElement& element, const MjcfConte
     return joint;
   }
   joint.range = {(*range)[0] * unit_size - joint.ref, (*range)[1] * unit_size - joint.ref};
-  if (!(joint.range->first < joint.range->second))
-    own.fail_at("range", "expected the lower bound before the upper");
+  if (!(joint.range->first < joint.range->second)) {
+    own.note(*context.notes, kReversed);
+    joint.range.reset();
+  }
   return joint;
 }
 
-double mjcf_control(const MjcfElement& element, const MjcfCompiler& compiler) {
-  const auto range = range_of(element, "ctrlrange", "ctrllimited", compiler);
-  return range ? std::clamp(0.0, range->first, range->second) : 0;
+double mjcf_control(const MjcfElement& element, const MjcfContext& context) {
+  const auto range = range_of(element, "ctrlrange", "ctrllimited", context);
+  const double control = context.control.value_or(0);
+  return range ? std::clamp(control, range->first, range->second) : control;
 }
 
 void mjcf_motor(const MjcfElement& element, const MjcfContext& context, RobotAction& out) {
   const XmlElement& e = element.own();
   const auto gears = element.with("gear").numbers("gear", 1, 6);
-  const double gear = gears ? gears->front() : 1, control = mjcf_control(element, context.compiler);
+  const double gear = gears ? gears->front() : 1, control = mjcf_control(element, context);
   if (gear == 0) return e.note(*context.notes, "motor with gear 0: moves nothing");
   if (e.name() == "motor") {
     out.force = gear * control;
@@ -355,7 +369,7 @@ void mjcf_motor(const MjcfElement& element, const MjcfContext& context, RobotAct
     if (kv == 0) return e.note(*context.notes, "velocity actuator with kv 0: moves nothing");
     out.speed = control / gear;
     out.gain = kv * gear * gear;
-    if (const auto most = range_of(element, "forcerange", "forcelimited", context.compiler)) {
+    if (const auto most = range_of(element, "forcerange", "forcelimited", context)) {
       if (most->first != -most->second)
         e.note(*context.notes, "forcerange that is not the same both ways: the larger is taken for both");
       out.most = std::abs(gear) * std::max(std::abs(most->first), std::abs(most->second));

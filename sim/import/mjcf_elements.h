@@ -17,6 +17,8 @@ struct MjcfCompiler {
   std::string eulerseq = "xyz";
   std::filesystem::path mesh_folder;
   bool autolimits = true, strippath = false;
+  bool global = false;    // poses are told in the world
+  double total_mass = 0;  // kg, if it is more than 0
   enum class Inertia { never, always, where_missing } from_geoms = Inertia::where_missing;
 };
 
@@ -42,6 +44,7 @@ struct MjcfContext {
   MjcfDefaults defaults;
   RobotMeshes* meshes = nullptr;
   ImportNotes* notes = nullptr;
+  std::optional<double> control;  // of the actuator that is read, in a keyframe
 };
 
 // pos and quat, axisangle, euler, xyaxes or zaxis.
@@ -54,8 +57,8 @@ RobotInertia mjcf_inertial(const XmlElement& element, const MjcfContext& context
 // Empty for a free joint.
 std::optional<RobotJoint> mjcf_joint(const MjcfElement& element, const MjcfContext& context);
 
-// The control at which an actuator stands: 0, or what of its range is nearest.
-double mjcf_control(const MjcfElement& element, const MjcfCompiler& compiler);
+// The control at which an actuator stands: that of the keyframe, or 0; or what of its range is nearest.
+double mjcf_control(const MjcfElement& element, const MjcfContext& context);
 // <motor>: a torque or force; <velocity>: kv (control − speed). At its control, at the joint: times gear.
 void mjcf_motor(const MjcfElement& element, const MjcfContext& context, RobotAction& out);
 

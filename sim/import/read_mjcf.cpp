@@ -4,11 +4,14 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 
 #include "sim/base/error.h"
 #include "sim/import/geometry.h"
 #include "sim/import/mjcf_elements.h"
+#include "sim/import/mjcf_keyframe.h"
+#include "sim/import/mjcf_mechanics.h"
 #include "sim/import/readers.h"
 #include "sim/import/taken.h"
 #include "sim/scene/text.h"
@@ -28,10 +31,10 @@ class MjcfReader {
     context_.compiler.mesh_folder = root.file().folder;
   }
 
-  Robot read() {
+  Robot read(const std::string& keyframe) {
     note_attributes(root_, mjcf_rows(), notes_);
     robot_.name = root_.find("model").value_or("");
-    robot_.parent_is_filtered_at_world = false;
+    robot_.has_world = true;
     const std::vector<XmlElement> sections = children_of(root_);
     for (const XmlElement& each : sections)
       if (each.name() == "compiler") read_compiler(each);
@@ -41,8 +44,10 @@ class MjcfReader {
       if (each.name() == "asset") read_assets(each);
     for (const XmlElement& each : sections)
       if (each.name() == "worldbody") read_world(each);
+    read_keyframes(sections, keyframe);
     for (const XmlElement& each : sections) read_rest(each);
     apply_flags();
+    scale_to_total_mass();
     return std::move(robot_);
   }
 
@@ -90,7 +95,10 @@ class MjcfReader {
         e.fail_at("eulerseq", "expected three of x, y, z, X, Y and Z");
       out.eulerseq = *order;
     }
-    if (e.find("coordinate").value_or("local") != "local") e.fail_at("coordinate", "expected local");
+    const std::string coordinate = e.find("coordinate").value_or("local");
+    if (coordinate != "local" && coordinate != "global") e.fail_at("coordinate", "expected local or global");
+    out.global = coordinate == "global";
+    out.total_mass = e.number("settotalmass").value_or(out.total_mass);
     for (const char* key : {"assetdir", "meshdir"})
       if (const auto folder = e.find(key)) out.mesh_folder = root_.file().folder / *folder;
     out.autolimits = e.boolean("autolimits").value_or(out.autolimits);
@@ -148,21 +156,59 @@ class MjcfReader {
         context_.defaults.require(e, "childclass");
         read_contents(e, link, frame * mjcf_pose(MjcfElement(e, {}), context_.compiler),
                       e.find("childclass").value_or(childclass), depth + 1);
+      } else if (name == "replicate") {
+        replicate(e, link, frame, childclass, depth);
       } else if (name == "geom") {
         auto geom = mjcf_geom(context_.defaults.of(e, childclass), context_);
         if (!geom) continue;
         if (++geoms_ > kMostGeoms)
           e.fail(fmt::format("more than {} geoms; expected a smaller model", kMostGeoms));
-        geom->at = frame * geom->at;
+        geom->at = frame_of(e, frame) * geom->at;
         robot_.links[static_cast<std::size_t>(link)].geoms.push_back(std::move(*geom));
       } else if (name == "joint" || name == "freejoint") {
         read_joint(e, link, frame, childclass);
       } else if (name == "inertial") {
-        robot_.links[static_cast<std::size_t>(link)].inertia = moved(mjcf_inertial(e, context_), frame);
+        robot_.links[static_cast<std::size_t>(link)].inertia =
+            moved(mjcf_inertial(e, context_), frame_of(e, frame));
       } else {
         note_element(e, mjcf_rows(), notes_);
       }
     }
+  }
+
+  static LinkPose inverse(const LinkPose& pose) {
+    return {pose.R.transpose(), -(pose.R.transpose() * pose.t)};
+  }
+
+  // What tells no place of its own among global ones stands where its body does.
+  LinkPose frame_of(const XmlElement& e, const LinkPose& frame) const {
+    const bool told = e.has("pos") || e.has("fromto");
+    return context_.compiler.global && !told ? LinkPose{} : frame;
+  }
+
+  // Copies, each moved and turned from the one before.
+  void replicate(const XmlElement& e, int link, LinkPose frame, const std::string& childclass, int depth) {
+    note_attributes(e, mjcf_rows(), notes_);
+    const double count = e.number("count").value_or(0);
+    if (!(count >= 1 && count <= static_cast<double>(kMostGeoms)) || count != std::floor(count))
+      e.fail_at("count", fmt::format("expected a whole number from 1 to {}", kMostGeoms));
+    copies_ += count;
+    if (copies_ > static_cast<double>(kMostGeoms))
+      e.fail(fmt::format("more than {} copies; expected fewer", kMostGeoms));
+    const LinkPose step{mjcf_rotation(e, context_.compiler), e.vec3("offset").value_or(Vec3::Zero())};
+    const std::string suffix = suffix_, sep = e.find("sep").value_or("");
+    const std::size_t digits = fmt::format("{}", count - 1).size();
+    for (int k = 0; k < static_cast<int>(count); ++k) {
+      suffix_ = suffix + fmt::format("{}{:0{}}", sep, k, digits);
+      read_contents(e, link, frame, childclass, depth + 1);
+      frame = frame * step;
+    }
+    suffix_ = suffix;
+  }
+
+  std::string named(const XmlElement& e) const {
+    const std::string name = e.find("name").value_or("");
+    return name.empty() ? name : name + suffix_;
   }
 
   void read_body(const XmlElement& e, int parent, const LinkPose& frame, const std::string& above,
@@ -172,15 +218,18 @@ class MjcfReader {
     if (robot_.links.size() == kMostLinks)
       e.fail(fmt::format("more than {} bodies; expected fewer", kMostLinks));
     RobotLink link;
-    link.name = e.find("name").value_or("");
+    link.name = named(e);
     link.place = place_of(e);
     link.parent = parent;
-    link.at = frame * mjcf_pose(MjcfElement(e, {}), context_.compiler);
+    link.lifted = e.number("gravcomp").value_or(0);
+    const LinkPose told = mjcf_pose(MjcfElement(e, {}), context_.compiler);
+    link.at = frame * told;
     const int index = static_cast<int>(robot_.links.size());
-    if (!link.name.empty() && !bodies_.emplace(link.name, index).second)
+    if (!link.name.empty() && !names_.bodies.emplace(link.name, index).second)
       e.fail_at("name", "another body is named " + in_quotes(link.name) + " too");
     robot_.links.push_back(link);
-    read_contents(e, index, LinkPose{}, e.find("childclass").value_or(above), depth);
+    read_contents(e, index, context_.compiler.global ? inverse(told) : LinkPose{},
+                  e.find("childclass").value_or(above), depth);
     RobotLink& read = robot_.links[static_cast<std::size_t>(index)];
     if (read.free && !read.joints.empty()) e.fail("a free joint beside others; expected it alone");
     weigh(read);
@@ -210,49 +259,53 @@ class MjcfReader {
     if (!joint) {
       if (link.parent != 0) e.fail("a free joint in a body of another; expected it in a body of the world");
       link.free = true;
+      names_.free_joints.insert(named(e));
       return;
     }
     if (link.joints.size() == kMostJoints)
       e.fail(fmt::format("more than {} joints in a body; expected fewer", kMostJoints));
-    joint->anchor = frame * joint->anchor;
+    joint->name = named(e);
+    joint->anchor = frame_of(e, frame) * joint->anchor;
     joint->axis = frame.R * joint->axis;
-    if (!joint->name.empty() && !joints_.emplace(joint->name, std::pair(index, link.joints.size())).second)
+    if (!joint->name.empty() &&
+        !names_.joints.emplace(joint->name, std::pair(index, link.joints.size())).second)
       e.fail_at("name", "another joint is named " + in_quotes(joint->name) + " too");
     link.joints.push_back(std::move(*joint));
   }
 
-  int body(const XmlElement& e, std::string_view attribute) const {
-    const std::string name = e.text(attribute);
-    if (name == "world") return 0;
-    const auto found = bodies_.find(name);
-    if (found == bodies_.end()) e.fail_at(attribute, "there is no body " + in_quotes(name));
-    return found->second;
+  void read_keyframes(const std::vector<XmlElement>& sections, const std::string& name) {
+    std::vector<XmlElement> keys;
+    for (const XmlElement& section : sections)
+      if (section.name() == "keyframe")
+        for (const XmlElement& key : children_of(section)) keys.push_back(key);
+    if (!name.empty()) {
+      const XmlElement key = find_key(keys, root_, name);
+      start_at_key(key, robot_, notes_);
+      controls_ = key.numbers("ctrl", 1, kMostLinks).value_or(controls_);
+    } else {
+      for (const XmlElement& key : keys)
+        key.note(notes_, "a keyframe: the start is the pose of the bodies; --keyframe NAME starts there");
+    }
+  }
+
+  void next_control() {
+    context_.control = actuators_ < controls_.size() ? std::optional(controls_[actuators_]) : std::nullopt;
+    ++actuators_;
   }
 
   void read_rest(const XmlElement& section) {
     const std::string name = section.name();
     if (name == "option") return read_option(section);
     if (name == "contact" || name == "actuator" || name == "equality") {
+      MjcfMechanics mechanics(context_, names_, robot_);
       for (const XmlElement& e : children_of(section)) {
-        const std::string kind = e.name();
-        if (name == "contact" && kind == "exclude") {
-          note_attributes(e, mjcf_rows(), notes_);
-          robot_.excludes.emplace_back(body(e, "body1"), body(e, "body2"));
-        } else if (name == "actuator" && (kind == "position" || kind == "general")) {
-          read_servo(context_.defaults.of(e, ""));
-        } else if (name == "actuator" && (kind == "motor" || kind == "velocity")) {
-          read_motor(context_.defaults.of(e, ""));
-        } else if (name == "equality" && (kind == "connect" || kind == "weld")) {
-          read_loop(e);
-        } else if (name == "equality" && kind == "joint") {
-          read_follow(e);
-        } else {
-          note_element(e, mjcf_rows(), notes_);
-        }
+        if (name == "actuator") next_control();
+        mechanics.read(name, e);
       }
       return;
     }
-    if (name != "compiler" && name != "default" && name != "asset" && name != "worldbody")
+    if (name != "compiler" && name != "default" && name != "asset" && name != "worldbody" &&
+        name != "keyframe")
       note_element(section, mjcf_rows(), notes_);
   }
 
@@ -282,6 +335,25 @@ class MjcfReader {
     if (off("limit") || off("constraint")) limits_hold_ = false;
   }
 
+  // All bodies but the world weigh so much together.
+  void scale_to_total_mass() {
+    if (!(context_.compiler.total_mass > 0)) return;
+    double mass = 0;
+    for (std::size_t l = 1; l < robot_.links.size(); ++l) {
+      RobotLink& link = robot_.links[l];
+      if (!link.inertia) {
+        link.inertia.emplace();
+        for (const RobotGeom& geom : link.geoms) link.inertia = together(*link.inertia, inertia_of(geom));
+      }
+      mass += link.inertia->mass;
+    }
+    for (RobotLink& link : robot_.links) {
+      if (!link.inertia || !(mass > 0)) continue;
+      link.inertia->mass *= context_.compiler.total_mass / mass;
+      link.inertia->I *= context_.compiler.total_mass / mass;
+    }
+  }
+
   void apply_flags() {
     if (!loops_hold_) robot_.loops.clear();
     for (RobotLink& link : robot_.links) {
@@ -292,103 +364,25 @@ class MjcfReader {
     }
   }
 
-  // A servo at its rest: control 0. <general> is one when its force is k (control − position).
-  void read_servo(const MjcfElement& element) {
-    const XmlElement& e = element.own();
-    if (e.name() == "general") {
-      const auto gain = element.with("gainprm").numbers("gainprm", 1, 10);
-      const auto bias = element.with("biasprm").numbers("biasprm", 1, 10);
-      const bool servo = element.with("biastype").find("biastype").value_or("") == "affine" && gain && bias &&
-                         bias->size() > 1 && (*bias)[0] == 0 && (*bias)[1] == -(*gain)[0] && (*gain)[0] > 0;
-      if (!servo) return e.note(notes_, "<general>: not taken: only those that hold a position are");
-    }
-    note_attributes(e, mjcf_rows(), notes_);
-    RobotJoint* joint = joint_of(element);
-    if (!joint) return;
-    joint->target = mjcf_control(element, context_.compiler) - joint->ref;
-    e.note(notes_,
-           "position actuator: holds its joint at control 0 as stiffly as the joint itself, in place of the "
-           "joint's range");
-  }
-
-  void read_motor(const MjcfElement& element) {
-    note_attributes(element.own(), mjcf_rows(), notes_);
-    RobotJoint* joint = joint_of(element);
-    if (!joint) return;
-    if (joint->action.motor()) return element.own().note(notes_, "second motor of a joint: not taken");
-    mjcf_motor(element, context_, joint->action);
-  }
-
-  // The joint that an actuator moves; null, with a note, where it is none that can be moved.
-  RobotJoint* joint_of(const MjcfElement& element) {
-    const XmlElement& e = element.own();
-    const XmlElement& source = element.with("joint");
-    const auto leave = [&](const char* why) {
-      e.note(notes_, why);
-      return nullptr;
-    };
-    if (!source.has("joint")) return leave("actuator without a joint: not taken");
-    const std::string name = source.text("joint");
-    const auto found = joints_.find(name);
-    if (found == joints_.end()) source.fail_at("joint", "there is no joint " + in_quotes(name));
-    const auto [link, number] = found->second;
-    RobotJoint& joint = robot_.links[static_cast<std::size_t>(link)].joints[number];
-    if (joint.kind == RobotJointKind::ball) return leave("actuator of a ball joint: not taken");
-    return &joint;
-  }
-
-  // joint1 = a polynomial of joint2, each from its pose in the file.
-  void read_follow(const XmlElement& e) {
-    note_attributes(e, mjcf_rows(), notes_);
-    if (!e.boolean("active").value_or(true)) return;
-    const auto found = joints_.find(e.text("joint1"));
-    if (found == joints_.end()) e.fail_at("joint1", "there is no joint " + in_quotes(e.text("joint1")));
-    if (!e.has("joint2")) return e.note(notes_, "equality of one joint: not taken");
-    std::vector<double> poly = e.numbers("polycoef", 1, 5).value_or(std::vector<double>{0, 1});
-    poly.resize(5, 0);
-    if (poly[2] != 0 || poly[3] != 0 || poly[4] != 0)
-      return e.note(notes_, "equality of joints by a polynomial above the first order: not taken");
-    const auto [link, number] = found->second;
-    RobotJoint& joint = robot_.links[static_cast<std::size_t>(link)].joints[number];
-    if (joint.follows) return e.note(notes_, "second equality of a joint: not taken");
-    joint.follows = RobotFollow{e.text("joint2"), poly[1], poly[0], place_of(e)};
-  }
-
-  void read_loop(const XmlElement& e) {
-    note_attributes(e, mjcf_rows(), notes_);
-    if (!e.has("body1")) return e.note(notes_, fmt::format("<{}> between sites: not taken", e.name()));
-    if (!e.boolean("active").value_or(true)) return;
-    RobotLoop loop;
-    loop.weld = e.name() == "weld";
-    loop.place = place_of(e);
-    loop.i = body(e, "body1");
-    loop.j = e.has("body2") ? body(e, "body2") : 0;
-    if (loop.weld) {
-      e.note(notes_, "<weld>: holds the two as they stand at the start");
-    } else {
-      const auto anchor = e.vec3("anchor");
-      if (!anchor) e.fail_at("anchor", "missing");
-      loop.anchor = *anchor;
-    }
-    robot_.loops.push_back(loop);
-  }
-
   XmlElement root_;
   XmlFiles& files_;
   ImportNotes& notes_;
   MjcfContext context_;
   Robot robot_;
   bool has_world_ = false, loops_hold_ = true, limits_hold_ = true;
-  std::size_t geoms_ = 0;
+  std::size_t geoms_ = 0, actuators_ = 0;
+  std::vector<double> controls_;  // of the keyframe
+  double copies_ = 0;
+  std::string suffix_;                           // of names in a copy
   std::map<const XmlFile*, int> include_level_;  // 0: the first file
-  std::map<std::string, int> bodies_;
-  std::map<std::string, std::pair<int, std::size_t>> joints_;
+  MjcfNames names_;
 };
 
 }  // namespace
 
-Robot read_mjcf(const XmlElement& root, XmlFiles& files, RobotMeshes& meshes, ImportNotes& notes) {
-  return MjcfReader(root, files, meshes, notes).read();
+Robot read_mjcf(const XmlElement& root, XmlFiles& files, RobotMeshes& meshes, ImportNotes& notes,
+                const ImportOptions& options) {
+  return MjcfReader(root, files, meshes, notes).read(options.keyframe);
 }
 
 }  // namespace pabd

@@ -18,6 +18,10 @@
 namespace pabd {
 namespace {
 
+// In names of what has a robot stand or roll on the ground.
+constexpr std::string_view kMobile[] = {"wheel", "caster", "castor", "foot", "feet", "floating"};
+constexpr std::string_view kShapes[] = {"box", "sphere", "cylinder", "capsule", "mesh"};
+
 class UrdfReader {
  public:
   UrdfReader(const XmlElement& root, RobotMeshes& meshes, ImportNotes& notes)
@@ -101,12 +105,6 @@ class UrdfReader {
     return *value;
   }
 
-  double size(const XmlElement& e, std::string_view attribute) const {
-    const double value = number(e, attribute);
-    if (!(value >= 1e-6 && value <= 1e6)) e.fail_at(attribute, "expected 1e-06 to 1000000 (m)");
-    return value;
-  }
-
   void read_link(const std::string& name, const XmlElement& e) {
     known_children(e, {"inertial", "visual", "collision", "contact"});
     RobotLink link;
@@ -180,37 +178,60 @@ class UrdfReader {
     geom.place = place_of(e);
     geom.at = pose_in(e);
     if (const auto material = e.child("material")) geom.color = read_color(*material);
-    const auto shapes = geometry->children();
-    if (shapes.size() != 1) geometry->fail("expected one shape");
-    const XmlElement& shape = shapes.front();
+    const auto shape = shape_of(*geometry);
+    if (!shape || !read_shape(*shape, geom)) return {};
+    return geom;
+  }
+
+  // What is no shape stands at the wrong place.
+  std::optional<XmlElement> shape_of(const XmlElement& geometry) {
+    std::optional<XmlElement> out;
+    for (const XmlElement& e : geometry.children()) {
+      const bool shape = std::find(std::begin(kShapes), std::end(kShapes), e.name()) != std::end(kShapes);
+      if (shape && !out)
+        out = e;
+      else
+        e.note(notes_, fmt::format("<{}> in <geometry>: left out", printable(e.name())));
+    }
+    if (!out) geometry.note(notes_, "<geometry> without a shape: left out");
+    return out;
+  }
+
+  // False, with a note, for what is left out.
+  bool read_shape(const XmlElement& shape, RobotGeom& geom) {
     note_attributes(shape, urdf_rows(), notes_);
     const std::string kind = shape.name();
+    if (kind == "mesh") return read_mesh(shape, geom);
     if (kind == "box") {
       const auto edges = shape.vec3("size");
-      if (!edges || !(edges->minCoeff() >= 1e-6) || !(edges->maxCoeff() <= 1e6))
-        shape.fail_at("size", "expected three numbers from 1e-06 to 1000000 (m)");
+      if (!edges) shape.fail_at("size", "missing; expected three numbers");
       geom.kind = GeomKind::box;
       geom.size = *edges / 2;
     } else if (kind == "sphere") {
       geom.kind = GeomKind::sphere;
-      geom.size.x() = size(shape, "radius");
-    } else if (kind == "cylinder" || kind == "capsule") {
-      geom.kind = kind == "cylinder" ? GeomKind::cylinder : GeomKind::capsule;
-      geom.size = Vec3(size(shape, "radius"), size(shape, "length") / 2, 0);
-    } else if (kind == "mesh") {
-      const Vec3 scale = shape.vec3("scale").value_or(Vec3::Ones());
-      std::string problem;
-      const auto file = meshes_.find(shape.text("filename"), shape.file().folder, problem);
-      if (!problem.empty()) {
-        shape.note(notes_, "mesh left out: " + problem);
-        return {};
-      }
-      if (!meshes_.put(file, scale, shape, geom, notes_)) return {};
+      geom.size = Vec3::Constant(number(shape, "radius"));
     } else {
-      shape.note(notes_, fmt::format("<{}>: no such shape here; left out", printable(kind)));
-      return {};
+      geom.kind = kind == "cylinder" ? GeomKind::cylinder : GeomKind::capsule;
+      const double half = number(shape, "length") / 2;
+      geom.size = Vec3(number(shape, "radius"), half, half);
     }
-    return geom;
+    const bool sized = geom.size.minCoeff() >= kLeastSize / 2 && geom.size.maxCoeff() <= kMostSize;
+    if (!sized) shape.note(notes_, kNoSize);
+    return sized;
+  }
+
+  bool read_mesh(const XmlElement& shape, RobotGeom& geom) {
+    std::vector<double> scale = shape.numbers("scale", 1, 9).value_or(std::vector<double>{1});
+    if (shape.has("scale") && scale.size() != 3)
+      shape.note(notes_, "scale of a mesh that is not three numbers: the first count");
+    scale.resize(3, scale.front());
+    std::string problem;
+    const auto file = meshes_.find(shape.text("filename"), shape.file().folder, problem);
+    if (!problem.empty()) {
+      shape.note(notes_, "mesh left out: " + problem);
+      return false;
+    }
+    return meshes_.put(file, Vec3(scale[0], scale[1], scale[2]), shape, geom, notes_);
   }
 
   // Joints of a moving one; `link` gets them. Fixed ones get none.
@@ -228,13 +249,10 @@ class UrdfReader {
       if (!(axis.norm() > 1e-9)) a->fail_at("xyz", "its length is 0; expected a direction");
     }
     joint.axis = axis.normalized();
-    const auto limit = e.child("limit");
     const auto dynamics = e.child("dynamics");
     if (type == "revolute" || type == "prismatic") {
       joint.kind = type == "revolute" ? RobotJointKind::hinge : RobotJointKind::slide;
-      if (!limit) e.fail(fmt::format("a {} joint without <limit>; expected one", type));
-      joint.range = {limit->number("lower").value_or(0), limit->number("upper").value_or(0)};
-      if (joint.range->first > joint.range->second) limit->fail("expected lower below upper");
+      joint.range = range_of(e);
     } else if (type == "floating") {
       joint.kind = RobotJointKind::ball;  // of the place it is told, too: three offsets before it
       for (int k = 0; k < 3; ++k)
@@ -257,6 +275,18 @@ class UrdfReader {
       joint.follows = RobotFollow{mimic->text("joint"), mimic->number("multiplier").value_or(1),
                                   mimic->number("offset").value_or(0), place_of(*mimic)};
     link.joints.push_back(std::move(joint));
+  }
+
+  std::optional<std::pair<double, double>> range_of(const XmlElement& joint) {
+    const auto limit = joint.child("limit");
+    if (!limit) {
+      joint.note(notes_, "revolute or prismatic joint without <limit>: not limited");
+      return {};
+    }
+    const std::pair out(limit->bound("lower"), limit->bound("upper"));
+    if (out.first <= out.second) return out;
+    limit->note(notes_, kReversed);
+    return {};
   }
 
   static RobotJoint along(const RobotJoint& whole, RobotJointKind kind, const Vec3& axis, int number) {
@@ -297,12 +327,55 @@ class UrdfReader {
     }
     if (links.size() != robot_.links.size())
       root_.fail("joints go round in a circle; expected a tree of links");
-    for (std::size_t k = 0; k < roots; ++k) {
-      const bool massless = !links[k].inertia || !(links[k].inertia->mass > 0);
-      links[k].free = base == RobotBase::floating ||
-                      (base == RobotBase::automatic && !massless && links[k].name != "world");
+    for (std::size_t k = 0; k < roots; ++k) stand(base, links[k]);
+    for (std::size_t k = roots; k < order.size(); ++k) {  // floats in the world
+      const auto parent = static_cast<std::size_t>(links[k].parent);
+      if (parent >= roots || links[parent].free || edges_.at(order[k]).element.text("type") != "floating")
+        continue;
+      links[k].free = true;
+      links[k].joints.clear();
     }
     robot_.links = std::move(links);
+  }
+
+  // A part that has a robot stand or roll on the ground, by its name; empty: there is none.
+  std::string mobile_part() const {
+    const auto named = [](const std::string& name) {
+      std::string lower = name;
+      std::transform(lower.begin(), lower.end(), lower.begin(),
+                     [](unsigned char c) { return std::tolower(c); });
+      return std::any_of(std::begin(kMobile), std::end(kMobile),
+                         [&](std::string_view word) { return lower.find(word) != std::string::npos; });
+    };
+    for (const auto& [name, element] : links_)
+      if (named(name)) return name;
+    for (const std::string& name : joint_names_)
+      if (named(name)) return name;
+    return {};
+  }
+
+  void stand(RobotBase base, RobotLink& root) {
+    const bool massless = !root.inertia || !(root.inertia->mass > 0);
+    const std::string part = mobile_part();
+    std::string why;
+    if (base != RobotBase::automatic) {
+      root.free = base == RobotBase::floating;
+      why = "as --base says";
+    } else if (root.name == "world") {
+      why = "it is called world";
+    } else if (!massless) {
+      root.free = true;
+      why = "it has a mass";
+    } else if (!part.empty()) {
+      root.free = true;
+      why = fmt::format("it has no mass, but the robot has {}", in_quotes(part));
+    } else {
+      why = "it has no mass";
+    }
+    robot_.base = root.free ? "the root floats: " : "the root is fixed to the world: ";
+    robot_.base += why;
+    if (base == RobotBase::automatic)
+      robot_.base += root.free ? " (--base fixed holds it)" : " (--base floating lets it go)";
   }
 
   XmlElement root_;

@@ -14,6 +14,7 @@ Robot read_urdf(const XmlElement& root, RobotMeshes& meshes, ImportNotes& notes,
                 const ImportOptions& options);
 
 // `root` is <mujoco>; `files` reads what it includes. Throws as read_urdf does.
-Robot read_mjcf(const XmlElement& root, XmlFiles& files, RobotMeshes& meshes, ImportNotes& notes);
+Robot read_mjcf(const XmlElement& root, XmlFiles& files, RobotMeshes& meshes, ImportNotes& notes,
+                const ImportOptions& options);
 
 }  // namespace pabd

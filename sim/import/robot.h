@@ -34,7 +34,10 @@ struct RobotInertia {
   double mass = 0;          // kg
   Vec3 com = Vec3::Zero();  // in the link's frame; m
   Mat3 I = Mat3::Zero();    // about the centre of mass, along the link's axes; kg m²
+  double lifted = 0;        // of the mass, what gravity does not pull; kg
 };
+
+inline constexpr int kNoTree = -1;
 
 enum class GeomKind { box, sphere, capsule, cylinder, ellipsoid, plane, mesh };
 
@@ -51,6 +54,7 @@ struct RobotGeom {
   double density = 0;          // kg/m³; 0: counts for nothing
   std::optional<SurfaceFriction> friction;
   std::optional<Vec3> color;  // sRGB, 0 … 1
+  int tree = kNoTree;         // of the link that it belongs to
   Place place;
 };
 
@@ -85,7 +89,8 @@ struct RobotJoint {
   Vec3 axis = Vec3::UnitZ();                       // the same; unit
   double ref = 0;                                  // what the file calls its pose; rad or m
   std::optional<std::pair<double, double>> range;  // rad or m, measured from the pose of the file
-  std::optional<double> target;                    // held there by a position actuator; the same
+  double start = 0;                                // where it begins, if its range has that; the same
+  std::optional<double> target;                    // held there by an equality; the same
   RobotAction action;
   std::optional<RobotFollow> follows;
   Place place;
@@ -98,8 +103,9 @@ struct RobotLink {
   int parent = kNoLink;            // comes before it; none: the world
   LinkPose at;                     // in the parent's frame, joints at 0
   std::vector<RobotJoint> joints;  // from the parent outwards; empty: one with the parent
-  bool free = false;               // floats; has no parent
+  bool free = false;               // floats; has no parent but the world
   std::optional<RobotInertia> inertia;
+  double lifted = 0;  // part of its weight that is taken from it
   std::vector<RobotGeom> geoms;
   Place place;
 };
@@ -114,14 +120,21 @@ struct RobotLoop {
 
 struct Robot {
   std::string name;
+  std::string base;  // how the root stands, and why
   std::vector<RobotLink> links;
   std::vector<std::pair<int, int>> excludes;
   std::vector<RobotLoop> loops;
-  Vec3 gravity{0, 0, -9.81};                // m/s²
-  std::optional<double> time_step;          // s
-  bool contacts = true;                     // does anything touch?
-  bool parent_is_filtered_at_world = true;  // do links that hang on the world touch what is fixed there?
+  Vec3 gravity{0, 0, -9.81};        // m/s²
+  std::optional<double> time_step;  // s
+  bool contacts = true;             // does anything touch?
+  bool has_world = false;  // the first link is the world: of no robot, and touches those that hang on it
 };
+
+// Geometry within these is taken.
+inline constexpr double kLeastSize = 1e-6, kMostSize = 1e6;  // m
+inline constexpr const char* kNoSize = "its size is 0, or not from 1e-06 to 1000000 m: left out";
+inline constexpr const char* kReversed =
+    "range of a joint whose lower bound is above the upper one: not held";
 
 inline constexpr std::size_t kMostLinks = 5000, kMostGeoms = 20000;
 

@@ -73,7 +73,7 @@ RobotInertia inertia_of(const RobotGeom& geom) {
 }
 
 RobotInertia moved(const RobotInertia& inertia, const LinkPose& pose) {
-  return {inertia.mass, pose * inertia.com, pose.R * inertia.I * pose.R.transpose()};
+  return {inertia.mass, pose * inertia.com, pose.R * inertia.I * pose.R.transpose(), inertia.lifted};
 }
 
 RobotInertia together(const RobotInertia& a, const RobotInertia& b) {
@@ -81,6 +81,7 @@ RobotInertia together(const RobotInertia& a, const RobotInertia& b) {
   if (!(b.mass > 0)) return a;
   RobotInertia out;
   out.mass = a.mass + b.mass;
+  out.lifted = a.lifted + b.lifted;
   out.com = (a.mass * a.com + b.mass * b.com) / out.mass;
   out.I = about(a, a.com - out.com) + about(b, b.com - out.com);
   return out;

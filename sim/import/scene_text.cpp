@@ -18,7 +18,9 @@ namespace pabd {
 namespace {
 
 constexpr double kMostTurn = 180;  // degrees: what limits of a hinge can say
+constexpr double kMostWay = 1e6;   // m: the same of a slider
 constexpr double kRounded = 0.01;  // degrees: 3.1416 is half a turn
+constexpr double kRecovery = 0.1;  // m/s: what a file puts into each other comes apart without a leap
 constexpr double kDead = 1;        // κ h²/(m d̂²) that leaves a tenth of the speed of a hit
 constexpr double kCarried = 10;    // κ/(m g d̂) that carries a robot well inside of d̂
 
@@ -110,8 +112,9 @@ OrderedJson with_shape(const spec::Body& body, const OrderedJson& shape) {
   return out;
 }
 
-// `friction` is what the scene says for all.
-OrderedJson json_of_body(const BodyPlan& body, const std::optional<SurfaceFriction>& friction) {
+// `friction` is what the scene says for all; gravity with z up.
+OrderedJson json_of_body(const BodyPlan& body, const std::optional<SurfaceFriction>& friction,
+                         const Vec3& gravity) {
   spec::Body out{.name = body.name, .fixed = body.fixed};
   if (!body.ghost && body.friction && in_range(*body.friction) != *friction)
     out.friction = in_range(*body.friction);
@@ -134,6 +137,7 @@ OrderedJson json_of_body(const BodyPlan& body, const std::optional<SurfaceFricti
     out.center_of_mass = -(placed.R.transpose() * (body.R * body.centre));
   }
   out.orientation = orientation_of(W * placed.R);
+  if (body.lifted != 0) out.force = Keyed<Vec3>{{{0, clean(W * (-body.lifted * gravity), 1)}}};
   if (body.color) out.color = spec::Color{*body.color};
   if (body.hidden) out.material = spec::Material{.opacity = 0};
   return with_shape(out, placed.shape);
@@ -148,6 +152,11 @@ void add_range(const JointPlan& joint, double unit, spec::Joint& out, ImportNote
       return notes.add("range of a joint goes beyond ±180°: not held", joint.place.file, joint.place.line);
     lo = std::max(lo, -kMostTurn);
     hi = std::min(hi, kMostTurn);
+  } else if (lo < -kMostWay && hi > kMostWay) {
+    return notes.add("range of a joint goes beyond 1000 km: not held", joint.place.file, joint.place.line);
+  } else {
+    lo = std::clamp(lo, -kMostWay, kMostWay);
+    hi = std::clamp(hi, -kMostWay, kMostWay);
   }
   out.limits = {lo, hi};
 }
@@ -157,8 +166,8 @@ void add_action(const JointPlan& joint, double unit, spec::Joint& out, ImportNot
   const RobotAction& action = joint.action;
   if (!action.any()) return;
   if (joint.target) {
-    notes.add("damping, friction, spring and motor of a joint that a position actuator holds: not taken",
-              joint.place.file, joint.place.line);
+    notes.add("damping, friction, spring and motor of a joint that is held: not taken", joint.place.file,
+              joint.place.line);
     return;
   }
   const bool slides = joint.kind == RobotJointKind::slide;
@@ -236,6 +245,7 @@ std::string scene_text(const ScenePlan& plan, const SceneWords& words, ImportNot
   const double d_hat = plan.smallest > 0 ? std::clamp(0.05 * plan.smallest, 1e-4, 0.01) : 0.01;
   OrderedJson contact{{"d_hat", d_hat}};
   if (plan.heaviest > 0) contact["kappa"] = stiffness(plan, words, d_hat);
+  contact["recovery_speed"] = kRecovery;
   const std::optional<SurfaceFriction> friction = largest_friction(plan);
   if (friction) contact["friction"] = json_of(*friction);
   std::vector<OrderedJson> bodies;
@@ -243,7 +253,7 @@ std::string scene_text(const ScenePlan& plan, const SceneWords& words, ImportNot
     OrderedJson plane{{"type", "plane"}, {"normal", {0, 1, 0}}, {"offset", plan.lowest - d_hat}};
     bodies.push_back({{"name", kGroundName}, {"shape", std::move(plane)}});
   }
-  for (const BodyPlan& body : plan.bodies) bodies.push_back(json_of_body(body, friction));
+  for (const BodyPlan& body : plan.bodies) bodies.push_back(json_of_body(body, friction, words.gravity));
   const auto has_own = [](const OrderedJson& body) { return body.contains("friction"); };
   if (std::any_of(bodies.begin(), bodies.end(), has_own)) contact["friction_rule"] = "max";
   std::vector<OrderedJson> joints;

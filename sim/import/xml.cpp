@@ -9,6 +9,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <limits>
 
 #include "sim/base/error.h"
 #include "sim/base/input_file.h"
@@ -156,6 +157,15 @@ std::optional<double> XmlElement::number(std::string_view attribute) const {
   const auto list = numbers(attribute, 1, 1);
   if (!list) return {};
   return list->front();
+}
+
+double XmlElement::bound(std::string_view attribute) const {
+  const std::string value = find(attribute).value_or("0");
+  double read = 0;
+  const char* end = value.data() + value.size();
+  if (std::from_chars(value.data(), end, read).ptr == end && std::abs(read) > kLargest)
+    return std::copysign(std::numeric_limits<double>::infinity(), read);
+  return number(attribute).value_or(0);
 }
 
 double XmlElement::resistance(std::string_view attribute) const {

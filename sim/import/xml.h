@@ -64,6 +64,8 @@ class XmlElement {
   std::optional<std::vector<double>> numbers(std::string_view attribute, std::size_t least,
                                              std::size_t most) const;
   std::optional<double> number(std::string_view attribute) const;
+  double bound(
+      std::string_view attribute) const;  // 0 where it is missing; beyond what numbers may be: infinite
   double resistance(std::string_view attribute) const;  // at least 0, which it is where it is missing
   std::optional<Vec3> vec3(std::string_view attribute) const;
   std::optional<bool> boolean(std::string_view attribute) const;  // true, false, 1, 0

@@ -34,8 +34,8 @@ TEST_CASE("motors of an MJCF file turn as it says, at the control nearest to 0",
   CHECK(speed.motor->profile.at(0) == Approx(3.0 / 2));  // control over gear
   CHECK(speed.motor->gain == Approx(0.5 * 2 * 2));
   CHECK(speed.motor->most == Approx(2 * 0.25));
-  CHECK(joint_of(run, "held").drive);
-  CHECK_FALSE(joint_of(run, "held").action);
+  CHECK(joint_of(run, "held").action->spring.stiffness == 3);
+  CHECK(joint_of(run, "held").action->damping == 0.1);
   CHECK(joint_of(run, "block").action->friction == 4);
   CHECK(joint_of(run, "block").action->spring.stiffness == 3);
   CHECK(joint_of(run, "ball").action->damping == 0.3);
@@ -47,22 +47,51 @@ TEST_CASE("motors of an MJCF file turn as it says, at the control nearest to 0",
   CHECK(speed_of(run, "speed") == Approx(2 * 1.5 / 2.1).epsilon(1e-6));  // kv' (v − ω) = c ω
 
   CHECK(note_with(imported, "second motor").where[0].second == 32);
-  CHECK(note_with(imported, "position actuator holds").where[0].second == 16);
+  CHECK(note_with(imported, "position actuator: a spring").where[0].second == 31);
   CHECK(note_with(imported, "frictionloss of a ball").where[0].second == 24);
   CHECK(note_with(imported, "armature: not taken").where[0].second == 16);
   CHECK(note_with(imported, "not the same both ways").where[0].second == 30);
 }
 
-TEST_CASE("a position actuator goes to its control, which is told from the joint's ref", "[import]") {
+TEST_CASE("a position actuator is a spring and a damper about its control, told from the joint's ref",
+          "[import]") {
   const ImportedRun run(import_robot_text(R"(<mujoco><worldbody>
       <body pos='0 0 1'><joint name='turned' ref='30'/><geom size='0.1'/></body>
-      <body pos='1 0 1'><joint name='pushed' type='slide' ref='0.2'/><geom size='0.1'/></body>
-      </worldbody><actuator><position joint='turned'/><position joint='pushed' ctrlrange='0.5 1'/></actuator>
-      </mujoco>)",
+      <body pos='1 0 1'><joint name='pushed' type='slide' ref='0.2' stiffness='10'/><geom size='0.1'/></body>
+      <body pos='2 0 1'><joint name='general'/><geom size='0.1'/></body>
+      <body pos='3 0 1'><joint name='pulled'/><geom size='0.1'/></body>
+      </worldbody><actuator><position joint='turned' kp='5' kv='2'/>
+      <position joint='pushed' ctrlrange='0.5 1' kp='40' gear='0.5'/>
+      <general joint='general' gear='2' ctrlrange='3 4' gainprm='7' biastype='affine' biasprm='1 -10 -0.5'/>
+      <general joint='pulled' gear='2' ctrlrange='3 4' gainprm='7'/>
+      </actuator></mujoco>)",
                                           "m.xml", {})
                             .text);
-  CHECK(joint_of(run, "turned").drive->at(1) == Approx(-kPi / 6));
-  CHECK(joint_of(run, "pushed").drive->at(1) == Approx(0.3));
+  const JointAction& turned = *joint_of(run, "turned").action;
+  CHECK(turned.spring.stiffness == 5);
+  CHECK(turned.spring.rest == Approx(-kPi / 6));
+  CHECK(turned.damping == 2);
+  // kp gear² and the joint's own 10 N/m, which rests at springref, −ref from the pose of the file: forces balance.
+  const JointAction& pushed = *joint_of(run, "pushed").action;
+  CHECK(pushed.spring.stiffness == Approx(20));
+  CHECK(pushed.spring.rest == Approx((10 * -0.2 + 10 * (0.5 / 0.5 - 0.2)) / 20));
+  // gear (gain control + b₀ − 10 gear q − gear q̇/2)
+  const JointAction& general = *joint_of(run, "general").action;
+  CHECK(general.spring.stiffness == Approx(40));
+  CHECK(general.spring.rest == Approx(2 * (7 * 3 + 1) / 40.0));
+  CHECK(general.damping == Approx(2));
+  CHECK(joint_of(run, "pulled").action->motor->profile.at(0) == Approx(2 * 7 * 3));
+}
+
+TEST_CASE("a weight on a position actuator hangs where kp carries it", "[import]") {
+  ImportedRun run(import_robot_text(R"(<mujoco><worldbody><body pos='0 0 1'><joint name='z' type='slide'
+      axis='0 0 1' range='-2 2'/><geom size='0.1' mass='3'/></body></worldbody>
+      <actuator><position joint='z' kp='200' kv='40'/></actuator></mujoco>)",
+                                    "m.xml", {})
+                      .text);
+  run.run(3);
+  CHECK(run.state.c[0].y() == Approx(1 - 3 * 9.81 / 200).margin(1e-5));
+  CHECK(run.scene.model.joints[0].limits);
 }
 
 TEST_CASE("a URDF wheel slows down by its damping and friction", "[import]") {
@@ -99,7 +128,7 @@ TEST_CASE("springs of an MJCF file pull back to where they rest, which is told f
   CHECK_FALSE(joint_of(run, "far").action);
   CHECK(note_with(imported, "stiffness of a ball").where[0].second == 2);
   CHECK(note_with(imported, "rests beyond").where[0].second == 6);
-  CHECK(note_with(imported, "position actuator holds").where[0].second == 7);
+  CHECK(joint_of(run, "held").action->spring.stiffness == 8);
   CHECK(note_with(imported, "stiffness of a free").where[0].second == 2);
 }
 
