@@ -52,10 +52,12 @@ bool shows_contact_legend(const GuiFrame& f) {
   return f.ui.contacts && f.ui.contacts_by != ContactQuantity::gap;
 }
 
-// Title and bar with its upper right corner there.
-void color_bar(const GuiFrame& f, float right, float top, const std::string& title, const ValueRange& range) {
+// Title and bar with its upper right corner there; `most`: pixels that it may be wide.
+void color_bar(const GuiFrame& f, float right, float top, float most, const std::string& title,
+               const ValueRange& range) {
   ImDrawList& list = *ImGui::GetBackgroundDrawList();
-  const float width = f.px(200), bar = f.px(10), line = ImGui::GetTextLineHeight();
+  const float width = std::max(std::min(f.px(200), most), ImGui::CalcTextSize(ui_text(title).c_str()).x);
+  const float bar = f.px(10), line = ImGui::GetTextLineHeight();
   const ImVec2 pad(f.px(10), f.px(7));
   const ImVec2 lo(right - width - 2 * pad.x, top);
   list.AddRectFilled(lo, {right, top + 2 * line + bar + 2 * pad.y + f.px(6)}, packed(f.theme().legend),
@@ -69,12 +71,20 @@ void color_bar(const GuiFrame& f, float right, float top, const std::string& tit
     list.AddRectFilled({a, bar_top}, {at.x + width * static_cast<float>(i + 1) / kPieces, bar_top + bar},
                        map_color((i + 0.5) / kPieces));
   }
-  const float below = bar_top + bar + f.px(3);
-  for (const double t : range.places()) {
-    const std::string text = fmt::format("{:.3g}", range.value(t));
-    const float w = ImGui::CalcTextSize(text.c_str()).x;
-    list.AddText({std::round(at.x + static_cast<float>(t) * (width - w)), below}, packed(f.theme().muted),
-                 text.c_str());
+  const float below = bar_top + bar + f.px(3), gap = f.px(5);
+  const auto text_at = [&](double t) { return fmt::format("{:.3g}", range.value(t)); };
+  const auto left_of = [&](double t) {
+    return std::round(at.x + static_cast<float>(t) * (width - ImGui::CalcTextSize(text_at(t).c_str()).x));
+  };
+  const std::vector<double> places = range.places();
+  float free = at.x;
+  for (const double t : places) {
+    const float left = left_of(t), end = left + ImGui::CalcTextSize(text_at(t).c_str()).x;
+    // Those of the ends, and between them what has room.
+    const bool inner = t != places.front() && t != places.back();
+    if (inner && (left < free || end + gap > left_of(places.back()))) continue;
+    list.AddText({left, below}, packed(f.theme().muted), text_at(t).c_str());
+    free = end + gap;
   }
 }
 
@@ -83,12 +93,14 @@ void legends(const GuiFrame& f, const Rect& view) {
   const BodyColors colors = shown_colors(f.sim, f.sim.a, f.ui.color);
   const float right = static_cast<float>(view.right()) - f.px(12);
   float top = static_cast<float>(view.y) + f.px(12);
+  const float most = 0.42f * static_cast<float>(view.w);
   if (!colors.note.empty()) note(f, {right, top}, colors.note, {1, 0});
-  if (colors.note.empty() && !colors.values.empty()) color_bar(f, right, top, colors.title, colors.range);
+  if (colors.note.empty() && !colors.values.empty())
+    color_bar(f, right, top, most, colors.title, colors.range);
   if (!shows_contact_legend(f)) return;
   if (!colors.values.empty()) top += f.px(kLegend);
   const bool force = f.ui.contacts_by == ContactQuantity::force;
-  color_bar(f, right, top, force ? "normal force, N" : "friction / (μ · normal force)",
+  color_bar(f, right, top, most, force ? "normal force, N" : "friction / (μ · normal force)",
             force ? shown_forces(f.sim) : ValueRange{});
 }
 
