@@ -108,23 +108,24 @@ class BarrierPanelView final : public GuiPanel {
   void controls(GuiFrame& f) {
     command::BarrierView view = f.ui.barrier;
     bool changed = false;
+    const bool full = ImGui::GetWindowContentRegionMax().x >= f.px(kFullControls);
+    const float gap = f.px(full ? 2 : 1);
     static constexpr const char* kPlain[] = {"B", "B′", "B″"};
     for (const Choice& c : kBarrierQuantities) {
       const std::size_t i = place_in(kBarrierQuantities, c.name);
-      if (i > 0) ImGui::SameLine(0, f.px(2));
+      if (i > 0) ImGui::SameLine(0, gap);
       if (toggle_button(f, view.energy ? c.label : kPlain[i], view.quantity == c.name, c.help)) {
         view.quantity = c.name;
         changed = true;
       }
     }
-    const bool full = ImGui::GetWindowContentRegionMax().x >= f.px(kFullControls);
-    ImGui::SameLine(0, f.px(full ? 12 : 2));
+    ImGui::SameLine(0, full ? f.px(12) : gap);
     const auto toggle = [&](const char* text, bool& on, const char* help) {
       if (toggle_button(f, text, on, help)) {
         on = !on;
         changed = true;
       }
-      ImGui::SameLine(0, f.px(2));
+      ImGui::SameLine(0, gap);
     };
     toggle("log", view.log, "Logarithmic height");
     bool plain = !view.energy;
@@ -144,7 +145,7 @@ class BarrierPanelView final : public GuiPanel {
       check("log barrier", view.log_barrier);
       ImGui::EndPopup();
     }
-    ImGui::SameLine(0, f.px(2));
+    ImGui::SameLine(0, gap);
     if (const char* against =
             choice_combo("##against", kBarrierAbscissas, view.against, f.px(40),
                          "Against the distance d; or what a change of d̂, N or κ does at the gaps "

@@ -16,7 +16,7 @@ constexpr double kLeastLeft = 280, kLeastRight = 320, kLeastView = 360;
 constexpr double kPortrait = 1.2;                  // width over height of the room for picture and panels
 constexpr double kLeastPlace = 190;                // height of two places above each other
 constexpr double kGripAcross = 8, kGripAlong = 6;  // of a border, within the panel's padding
-constexpr double kColumn = 0.56;                   // most of the width that one column has by itself
+constexpr double kColumn = 0.55;                   // most of the width that one column has by itself
 // Parts of the height.
 constexpr double kUpper = 0.58, kBelow = 0.55, kBelowNarrow = 0.6, kLeastPart = 0.2, kMostPart = 0.8;
 
