@@ -47,6 +47,8 @@ class UniqueNames {
   std::map<std::string, int> last_;
 };
 
+constexpr std::size_t kMostSeen = 100;  // still geoms that are only seen: each is a pair with whatever moves
+
 class Assembler {
  public:
   Assembler(const Robot& robot, ImportNotes& notes)
@@ -256,7 +258,7 @@ class Assembler {
   void make_still(LinkGroup& group) {
     std::vector<const RobotGeom*> shown;
     for (const RobotGeom& geom : group.link.geoms) {
-      if (touches(geom))
+      if (touches(geom) || (geom.alone && seen_++ < kMostSeen))
         shown.push_back(&geom);
       else
         note(geom.place, "visual geometry that does not move: not drawn");
@@ -266,6 +268,7 @@ class Assembler {
       body.name = names_.take(shown.size() == 1 || geom->kind != GeomKind::plane ? group.link.name : "ground",
                               "world");
       body.fixed = true;
+      body.ghost = !touches(*geom);
       body.color = geom->color;
       body.type = geom->type;
       body.affinity = geom->affinity;
@@ -353,7 +356,8 @@ class Assembler {
   UniqueNames names_{std::set<std::string>{kGroundName}}, joint_names_;
   std::map<std::string, std::size_t> joint_number_;  // by their names in the file
   std::vector<std::pair<std::size_t, const RobotFollow*>> follows_;
-  int lowered_ = 0;  // rank of the lowest
+  std::size_t seen_ = 0;  // still geoms that are only seen
+  int lowered_ = 0;       // rank of the lowest
 };
 
 }  // namespace

@@ -80,10 +80,12 @@ class Grouping {
   }
 
   void take(const RobotLink& link, const LinkPose& pose, RobotLink& into) {
+    const bool touched = std::any_of(link.geoms.begin(), link.geoms.end(), touches);
     RobotInertia own = link.inertia ? moved(*link.inertia, pose) : RobotInertia{};
     for (RobotGeom geom : link.geoms) {
       geom.at = pose * geom.at;
       geom.tree = tree_.back();
+      geom.alone = !touched && geom.kind != GeomKind::plane;
       if (!link.inertia && geom.kind != GeomKind::plane) own = together(own, inertia_of(geom));
       into.geoms.push_back(std::move(geom));
     }

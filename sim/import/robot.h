@@ -49,6 +49,7 @@ struct RobotGeom {
   RobotInertia solid;  // mesh: of the surface at 1 kg/m³, where it is closed, else of the hull; geom's frame
   LinkPose at;         // in the link's frame
   bool visual = false;         // touches nothing
+  bool alone = false;          // visual, of a link that has nothing that touches
   int type = 1, affinity = 1;  // two collide if a type of one meets an affinity of the other; bits
   std::optional<double> mass;  // kg; or density
   double density = 0;          // kg/m³; 0: counts for nothing

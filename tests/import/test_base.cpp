@@ -66,6 +66,18 @@ TEST_CASE("a robot that floats stands on its lowest shape that touches, and not 
   CHECK(run.scene.model.mass[mark] == Approx(0.05));
 }
 
+TEST_CASE("what stands still and is only seen is drawn, and touches nothing", "[import]") {
+  const std::string text = "<robot name='r'><link name='world'>" + ball("0.2", "visual", "0 0 0.3") +
+                           "</link><link name='a'>" + mass("1") + ball("0.2") + "</link>" +
+                           joint("floating", "world", "a", "0 0 1") + "</robot>";
+  ImportedRun run(import_robot_text(text, "r.urdf", {}, {.ground = false}).text);
+  const std::size_t world = run.body("world"), a = run.body("a");
+  CHECK(run.scene.model.fixed[world]);
+  CHECK((run.state.c[world] - Vec3(0, 0.3, 0)).norm() < 1e-12);
+  run.run(1);
+  CHECK(run.state.c[a].y() == Approx(1 - 9.81 / 2).epsilon(5e-3));
+}
+
 TEST_CASE("a floating joint to a fixed root makes a link that floats", "[import]") {
   const std::string text = "<robot name='r'><link name='world'/><link name='a'>" + mass("1") + ball("0.1") +
                            "</link>" + joint("floating", "world", "a", "0 0 1") + "</robot>";
