@@ -12,8 +12,6 @@
 #include "app/session/step_at_time.h"
 #include "sim/base/error.h"
 #include "sim/scene/scene.h"
-#include "sim/scene/text.h"
-#include "sim/scene/typed_number.h"
 
 namespace pabd::cli {
 namespace {
@@ -30,16 +28,6 @@ void set_up_help(CLI::App& app) {
 int default_threads(const CpuLimits& limits) { return std::min(usable_cpus(limits), 64); }
 
 int CommonOptions::thread_count() const { return threads > 0 ? threads : default_threads(cpu_limits()); }
-
-std::string number_problem(const std::string& text, bool whole, std::string_view unit) {
-  std::int64_t number = 0;
-  const auto [at, failure] = std::from_chars(text.data(), text.data() + text.size(), number);
-  const bool is_whole = failure == std::errc() && at == text.data() + text.size();
-  if (whole ? is_whole : number_of_text(text).has_value()) return {};
-  return fmt::format("expected a {}number{}, got {}{}", whole ? "whole " : "",
-                     unit.empty() ? "" : fmt::format(" ({})", unit), in_quotes(text),
-                     whole ? "" : number_to_write(text, unit));
-}
 
 void set_up_program(CLI::App& app, Action& action) {
   app.name("pabd");

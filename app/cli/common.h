@@ -16,6 +16,7 @@
 #include "app/frames/pace.h"
 #include "render/context/context.h"
 #include "sim/base/available_cpus.h"
+#include "sim/scene/typed_number.h"
 
 namespace pabd {
 struct Scene;
@@ -62,9 +63,6 @@ struct LengthOptions {
 };
 inline constexpr int kMostFrames = 10'000'000;
 
-// Why `text` is no number, whole or not, of that unit (empty: it may be one): "expected a number (s), got "500ms"; write 0.5".
-std::string number_problem(const std::string& text, bool whole, std::string_view unit);
-
 // The type of a value, of an optional one, of one of a list.
 template <class T>
 struct Single {
@@ -99,8 +97,13 @@ class Command {
     using Type = typename Single<T>::Type;
     if constexpr (std::is_arithmetic_v<Type>) {
       const std::string_view of = std::string_view(type) == "S" ? "s" : unit;
-      option->check(
-          [of](const std::string& text) { return number_problem(text, std::is_integral_v<Type>, of); });
+      option->transform(CLI::Validator(
+          [of](std::string& text) {
+            const std::string problem = number_problem(text, std::is_integral_v<Type>, of);
+            if (problem.empty()) text = typed_number(text, of);
+            return problem;
+          },
+          ""));
     }
     return option;
   }

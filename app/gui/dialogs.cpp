@@ -138,7 +138,7 @@ void Dialogs::fields(GuiFrame& f, bool& go) {
   }
   if (open_ == "record") {
     record_.path = text_;
-    draw_record_fields(f, record_, along_keys_);
+    draw_record_fields(f, record_, field_, along_keys_);
   }
 }
 

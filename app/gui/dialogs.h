@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "app/gui/file_list.h"
+#include "app/gui/number_input.h"
 #include "app/gui/panel.h"
 
 namespace pabd {
@@ -42,6 +43,7 @@ class Dialogs {
   std::string listed_;          // folder that files_ are of
   std::vector<FileEntry> files_;
   command::Record record_;
+  TypedField field_;  // of its numbers
   bool along_keys_ = false;
 };
 

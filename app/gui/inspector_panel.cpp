@@ -9,6 +9,7 @@
 
 #include "app/gui/actions.h"
 #include "app/gui/inspector_rows.h"
+#include "app/gui/number_input.h"
 #include "app/gui/panels.h"
 #include "app/gui/widgets.h"
 #include "app/session/model_edit.h"
@@ -126,10 +127,9 @@ class BodyMaker {
       if (kind != shape_kinds().front()) same_line_if_room(button_width(std::string(kind->name)), f.px(2));
       if (toggle_button(f, std::string(kind->name), kind == kind_, "Shape of the new body")) kind_ = kind;
     }
-    const auto number = [&](double& value, const std::string& format, const std::string& help, float width) {
-      ImGui::SetNextItemWidth(width);
-      ImGui::InputDouble(("##" + format).c_str(), &value, 0, 0, format.c_str());
-      tooltip(help);
+    const auto number = [&](double& value, const NumberKind& kind, const std::string& help, float width) {
+      field_.number(f, kind.name, kind, value, width);
+      tooltip(help + "; with a unit or in " + kind.unit);
     };
     const float all = ImGui::GetContentRegionAvail().x, gap = f.px(6);
     int count = 0, k = 0;
@@ -140,11 +140,12 @@ class BodyMaker {
         const std::string axis(1, "xyz"[part]), help(size.help);
         const bool whole = size.count == 1;
         if (k > 0) ImGui::SameLine(0, gap);
-        number(size_[static_cast<std::size_t>(k)], (whole ? std::string(size.key) : axis) + " %.3g m",
+        number(size_[static_cast<std::size_t>(k)],
+               {.name = (whole ? std::string(size.key) : axis) + " ", .unit = "m", .digits = 3},
                whole ? help : help + " " + axis, width);
       }
     }
-    number(density_, "density %.4g kg/m³", "Water has 1000, steel 7800", all);
+    number(density_, {.name = "density ", .unit = "kg/m³"}, "Water has 1000, steel 7800", all);
     if (ImGui::Button("Add where the view looks", {all, 0})) {
       const AddBody body = body_at(f.sim.a, kind_->make(size_), density_, f.ui.camera.target);
       f.out.send(command::Edit{to_json(body)});
@@ -156,6 +157,7 @@ class BodyMaker {
   const ShapeKind* kind_ = shape_kinds().front();  // of those with sizes
   Sizes size_{0.4, 0.4, 0.4};                      // m
   double density_ = 1000;                          // kg/m³
+  TypedField field_;
 };
 
 class InspectorPanel final : public GuiPanel {

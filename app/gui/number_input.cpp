@@ -117,4 +117,23 @@ std::optional<std::string> TypedField::draw(const std::string& key, const std::s
   return text != shown ? std::optional(text) : std::nullopt;
 }
 
+bool TypedField::number(GuiFrame& f, const std::string& key, const NumberKind& kind, double& value,
+                        float width) {
+  const std::string number = fmt::format("{:.{}g}", value, kind.whole ? 15 : kind.digits);
+  ImGui::PushID(key.c_str());
+  auto text = draw(key, kind.name + number + (kind.unit.empty() ? "" : " ") + kind.unit, width);
+  ImGui::PopID();
+  if (!text) return false;
+  if (text->starts_with(kind.name)) text->erase(0, kind.name.size());
+  std::string problem = number_problem(*text, kind.whole, kind.unit);
+  const auto read = number_of_text(typed_number(*text, kind.unit));
+  if (problem.empty() && !std::isfinite(*read)) problem = "expected a finite number";
+  if (problem.empty()) {
+    value = *read;
+  } else {
+    f.out.send(command::Tell{kind.name + problem, true});
+  }
+  return problem.empty();
+}
+
 }  // namespace pabd

@@ -50,6 +50,14 @@ struct SliderTouch {
 SliderTouch value_slider(const GuiFrame& frame, const char* id, double place, const std::string& text,
                          float width);
 
+// What a field says of its number: "x 0.4 m" is of {"x ", "m", 3}.
+struct NumberKind {
+  std::string name;  // before it
+  std::string unit;
+  int digits = 4;
+  bool whole = false;
+};
+
 // Text fields of a panel, one of which is being typed into.
 class TypedField {
  public:
@@ -59,6 +67,9 @@ class TypedField {
   // At the cursor, with the text `shown` unless somebody types. Returns what was typed when the field is left and
   // the text differs.
   std::optional<std::string> draw(const std::string& key, const std::string& shown, float width);
+  // A field of a number, typed with any unit that fits; what does not fit is told, and changes nothing. True when `value`
+  // changed.
+  bool number(GuiFrame& frame, const std::string& key, const NumberKind& kind, double& value, float width);
 
  private:
   std::string key_, text_;  // of the field that is typed into

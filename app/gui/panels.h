@@ -32,6 +32,9 @@ void draw_color_choice(GuiFrame& frame);
 void draw_contact_choice(GuiFrame& frame);
 void draw_panel_items(GuiFrame& frame);
 void draw_view_items(GuiFrame& frame);
+
+class TypedField;
+
 class TimelineBar {
  public:
   void draw(GuiFrame& frame);
@@ -59,7 +62,7 @@ void draw_file_offer(GuiFrame& frame, const Rect& view);
 // How far a video is, while one is made.
 void draw_recording(GuiFrame& frame, const Rect& view);
 // What its dialog asks for beside the name.
-void draw_record_fields(const GuiFrame& frame, command::Record& record, bool& along_keys);
+void draw_record_fields(GuiFrame& frame, command::Record& record, TypedField& field, bool& along_keys);
 
 // Marks of the camera's key frames on the timeline.
 void draw_camera_marks(const GuiFrame& frame, const std::function<float(double)>& x_of_time, float y);

@@ -7,6 +7,7 @@
 #include <imgui.h>
 
 #include <algorithm>
+#include <sstream>
 #include <utility>
 
 #include "app/gui/actions.h"
@@ -214,8 +215,13 @@ class ParametersPanel final : public GuiPanel {
 
   // What was typed, as --set takes it.
   static std::string typed(const std::string& text, const ParameterRow& row, const Params& params) {
-    if (kind_of(row) == ParameterKind::vector) return "[" + text + "]";
-    return typed_number(text, unit_of(row, params));
+    const std::string unit = unit_of(row, params);
+    if (kind_of(row) != ParameterKind::vector) return typed_number(text, unit);
+    std::string parts;
+    std::istringstream all(text);
+    for (std::string part; std::getline(all, part, ',');)
+      parts += (parts.empty() ? "" : ", ") + typed_number(part, unit);
+    return "[" + parts + "]";
   }
 
   // The exact value.

@@ -10,6 +10,7 @@
 #include <functional>
 #include <iterator>
 
+#include "app/gui/number_input.h"
 #include "app/gui/panels.h"
 #include "app/gui/picture_notes.h"
 #include "app/gui/pictures.h"
@@ -51,9 +52,19 @@ void draw_recording(GuiFrame& f, const Rect& view) {
 namespace {
 
 constexpr const char* kEncoders[] = {"software", "nvenc"};
+constexpr double kField = 84;  // px of an ordinary screen
+
+bool whole_field(GuiFrame& f, TypedField& field, const char* key, const char* unit, int& value) {
+  double number = value;
+  const bool changed = field.number(f, key, {.name = "", .unit = unit, .whole = true}, number, f.px(kField));
+  constexpr double kMost = 1e9;
+  if (changed) value = static_cast<int>(std::clamp(number, -kMost, kMost));
+  return changed;
+}
 
 // How the file is encoded: what its kind has, the rest as if nobody had said it.
-void draw_video_fields(const GuiFrame& f, command::Record& r, const std::function<void(const char*)>& name) {
+void draw_video_fields(GuiFrame& f, command::Record& r, TypedField& field,
+                       const std::function<void(const char*)>& name) {
   const std::string extension = std::filesystem::path(r.path).extension().string();
   const bool mp4 = extension == ".mp4", video = mp4 || extension == ".webm";
   if (!video) r.crf = -1;
@@ -62,8 +73,7 @@ void draw_video_fields(const GuiFrame& f, command::Record& r, const std::functio
   if (extension != ".gif") r.loop = 0;
   if (extension == ".gif") {
     name("play");
-    ImGui::SetNextItemWidth(f.px(84));
-    ImGui::InputInt("##loop", &r.loop, 0);
+    whole_field(f, field, "loop", "", r.loop);
     tooltip("How often the picture is played; 0: for ever");
     ImGui::SameLine();
     label(r.loop == 0 ? "for ever" : r.loop == 1 ? "time" : "times");
@@ -72,8 +82,7 @@ void draw_video_fields(const GuiFrame& f, command::Record& r, const std::functio
   const VideoDefaults defaults = video_defaults(extension);
   name("quality");
   int crf = std::min(r.crf < 0 ? defaults.crf : r.crf, defaults.most_crf);
-  ImGui::SetNextItemWidth(f.px(84));
-  const bool changed = ImGui::InputInt("##crf", &crf, 0);
+  const bool changed = whole_field(f, field, "crf", "", crf);
   if (changed || r.crf >= 0) r.crf = std::clamp(crf, 0, defaults.most_crf);
   tooltip(fmt::format("How much may be lost: 0 to {}, smaller is better and larger; {} where nobody says it",
                       defaults.most_crf, defaults.crf));
@@ -102,13 +111,11 @@ void draw_video_fields(const GuiFrame& f, command::Record& r, const std::functio
 
 }  // namespace
 
-void draw_record_fields(const GuiFrame& f, command::Record& r, bool& along_keys) {
+void draw_record_fields(GuiFrame& f, command::Record& r, TypedField& field, bool& along_keys) {
   const auto& history = f.sim.a.history;
   const double first = history.front().time, last = history.back().time;
-  const float field = f.px(84);
-  const auto number = [&](const char* id, double& value, const char* format, const char* help) {
-    ImGui::SetNextItemWidth(field);
-    ImGui::InputDouble(id, &value, 0, 0, format);
+  const auto number = [&](const char* key, double& value, const char* unit, const char* help) {
+    field.number(f, key, {.name = "", .unit = unit, .digits = 6}, value, f.px(kField));
     tooltip(help);
     ImGui::SameLine();
   };
@@ -120,10 +127,10 @@ void draw_record_fields(const GuiFrame& f, command::Record& r, bool& along_keys)
   name("time");
   if (r.from < 0) r.from = first;
   if (r.to < 0) r.to = last;
-  number("##from", r.from, "%.3f s", "First moment");
+  number("from", r.from, "s", "First moment");
   label("to");
   ImGui::SameLine();
-  number("##to", r.to, "%.3f s", "Last moment");
+  number("to", r.to, "s", "Last moment");
   const std::string all = fmt::format("of {:.3f} to {:.3f} s", first, last);
   if (ImGui::CalcTextSize(all.c_str()).x > ImGui::GetContentRegionAvail().x) {
     ImGui::NewLine();
@@ -131,21 +138,19 @@ void draw_record_fields(const GuiFrame& f, command::Record& r, bool& along_keys)
   }
   muted_label(f, all);
   name("frames");
-  number("##fps", r.fps, "%g", "Frames a second of simulated time");
+  number("fps", r.fps, "", "Frames a second of simulated time");
   label("a second");
   name("size");
-  ImGui::SetNextItemWidth(field);
-  ImGui::InputInt("##width", &r.width, 0);
+  whole_field(f, field, "width", "", r.width);
   tooltip("Width in pixels");
   ImGui::SameLine();
   label("×");
   ImGui::SameLine();
-  ImGui::SetNextItemWidth(field);
-  ImGui::InputInt("##height", &r.height, 0);
+  whole_field(f, field, "height", "", r.height);
   tooltip("Height in pixels");
   ImGui::SameLine();
   label("pixels");
-  draw_video_fields(f, r, name);
+  draw_video_fields(f, r, field, name);
   ImGui::BeginDisabled(f.ui.camera_keys.empty());
   ImGui::Checkbox("along the camera keys", &along_keys);
   ImGui::EndDisabled();

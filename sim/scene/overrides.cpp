@@ -9,6 +9,7 @@
 #include "sim/base/error.h"
 #include "sim/scene/keys.h"
 #include "sim/scene/text.h"
+#include "sim/scene/typed_number.h"
 
 namespace pabd {
 
@@ -31,7 +32,7 @@ class Override {
     Json* place = &scene;
     for (std::size_t i = 0; i + 1 < parts_.size(); ++i) place = &descend(*place, i);
     assign(*place, parts_.back());
-    return {fmt::format("/{}", joined('/', parts_.size())), text_};
+    return {fmt::format("/{}", joined('/', parts_.size())), text_, unit_};
   }
 
  private:
@@ -125,11 +126,15 @@ class Override {
     }
   }
 
-  Json value() const {
+  Json value() {
     try {
       return parse_document(value_text_, "--set");
     } catch (const Error&) {
-      // A bare word; the reader refuses it where a number or an object belongs.
+      // A number with its unit, or a bare word; the reader refuses what does not belong there.
+    }
+    if (const auto quantity = typed_quantity(value_text_)) {
+      unit_ = quantity->unit;
+      return std::stod(quantity->number);
     }
     Json word(value_text_);
     try {
@@ -145,6 +150,7 @@ class Override {
   ParameterTable table_;
   std::vector<std::string> parts_;
   std::string value_text_;
+  std::string unit_;  // of a number that has one
 };
 
 }  // namespace

@@ -13,7 +13,8 @@
 namespace pabd {
 
 // Applies "path=value" strings in order. A path names keys and array indices, "contact.kappa",
-// "bodies.1.density" or "/bodies/1/density"; a value is JSON, or a bare word taken as text. A section that the file leaves out
+// "bodies.1.density" or "/bodies/1/density"; a value is JSON, a number with a unit (typed_number.h),
+// or a bare word taken as text. A section that the file leaves out
 // ("contact", "camera", …) is made. Returns what was set, for messages; throws Error(bad_input) naming the
 // part of the path that does not exist.
 std::vector<AppliedOverride> apply_overrides(Json& scene, const std::vector<std::string>& overrides,

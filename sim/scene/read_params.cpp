@@ -11,7 +11,11 @@ namespace pabd {
 
 namespace {
 
-constexpr Range kAny{};
+Range any_of(const ParameterRow& row) {
+  Range range;
+  range.unit = row.unit;
+  return range;
+}
 
 // One value of the object `in`, there under `key`; `now` where it is left out. A type each.
 struct ValueReader {
@@ -21,7 +25,7 @@ struct ValueReader {
 
   ParameterValue operator()(double now) const {
     if (const auto node = in.find(key)) need_number(*node);
-    return in.number(key, kAny, now);
+    return in.number(key, any_of(row), now);
   }
   ParameterValue operator()(int now) const {
     const auto bound = [](double x) { return static_cast<std::int64_t>(x); };
@@ -37,9 +41,9 @@ struct ValueReader {
       in.record(key, "auto");
       return std::optional<double>();
     }
-    if (!node) return std::optional(in.number(key, kAny, *now));
+    if (!node) return std::optional(in.number(key, any_of(row), *now));
     need_number(*node);
-    return std::optional(in.number(key, kAny));
+    return std::optional(in.number(key, any_of(row)));
   }
   template <class Enum>
   ParameterValue operator()(Enum now) const {
@@ -72,7 +76,7 @@ class ParamsReader {
       const auto keys = parameter_keys(key, table_);
       const bool as_number = node && known && known->as_number;
       if (as_number && node->value().is_number()) {
-        read_number(in, node->number(kAny), key);
+        read_number(in, node->number(Range{}), key);
       } else if (as_number && !node->value().is_object()) {
         node->fail_expected(expected_of(*find_parameter(key_below(key, keys.front()), table_)) +
                             ", or an object");

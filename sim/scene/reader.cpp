@@ -102,12 +102,22 @@ void Node::fail_number(std::string_view expected, std::string_view unit) const {
   fail(fmt::format("expected {}, got {}{}", expected, describe(*value_), number_to_write(text, unit)));
 }
 
+void Node::check_unit(std::string_view expected, std::string_view unit) const {
+  const AppliedOverride* last = nullptr;  // of this place
+  for (const AppliedOverride& override : context_->overrides) {
+    if ((!override.unit.empty() || last) && override.pointer == pointer()) last = &override;
+  }
+  if (last && !last->unit.empty() && last->unit != unit)
+    fail(fmt::format("expected {}, got one in {}", expected, last->unit));
+}
+
 bool Node::is_word(std::string_view word) const {
   return value_->is_string() && value_->get_ref<const std::string&>() == word;
 }
 
 double Node::number(const Range& range) const {
   if (!value_->is_number()) fail_number(range.text(), range.unit);
+  check_unit(range.text(), range.unit);
   const double x = value_->get<double>();
   if (!std::isfinite(x) || !range.contains(x)) fail_expected(range.text());
   return x;
@@ -116,6 +126,7 @@ double Node::number(const Range& range) const {
 std::int64_t Node::integer(std::int64_t lo, std::int64_t hi) const {
   const auto refuse = [&] { fail_expected(fmt::format("a whole number from {} to {}", lo, hi)); };
   std::int64_t x = 0;
+  if (value_->is_number()) check_unit(fmt::format("a whole number from {} to {}", lo, hi), "");
   if (value_->is_number_unsigned()) {
     const auto u = value_->get<std::uint64_t>();
     if (u > static_cast<std::uint64_t>(std::numeric_limits<std::int64_t>::max())) refuse();

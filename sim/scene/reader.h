@@ -24,6 +24,7 @@ namespace pabd {
 struct AppliedOverride {
   std::string pointer;  // "/contact/kappa"
   std::string text;     // "contact.kappa=50", as given
+  std::string unit;     // of the number, where one was given
 };
 
 struct ReadContext {
@@ -57,6 +58,7 @@ class Node {
   // The same where a number in `unit` is expected: of a text with another unit, or with this one, the number to write.
   [[noreturn]] void fail_number(std::string_view expected, std::string_view unit) const;
 
+  // Of an override the unit that was given, if any, is that of the range.
   double number(const Range& range) const;
   std::int64_t integer(std::int64_t lo, std::int64_t hi) const;
   bool boolean() const;
@@ -74,6 +76,8 @@ class Node {
   Node element(std::size_t i) const { return Node((*value_)[i], *this, i); }
 
  private:
+  void check_unit(std::string_view expected, std::string_view unit) const;
+
   const Json* value_;
   ReadContext* context_;
   const Node* parent_ = nullptr;

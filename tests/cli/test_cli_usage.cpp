@@ -157,15 +157,15 @@ TEST_CASE("values out of range are refused, naming the option") {
   CHECK(folder.names().empty());
 }
 
-TEST_CASE("a number with a unit, or of the wrong kind, is told what to write") {
+TEST_CASE("a number with another unit, or of the wrong kind, is refused") {
   const std::vector<std::pair<std::vector<std::string>, std::string>> wrong = {
-      {{"run", "stack", "--time", "500ms"}, "--time: expected a number (s), got \"500ms\"; write 0.5; "},
-      {{"render", "stack", "-o", "a.mp4", "--time", "2 min"}, "; write 120; "},
       {{"run", "stack", "--time", "5 m"}, "--time: expected a number (s), got \"5 m\"; 'pabd run"},
+      {{"run", "stack", "--set", "time_step=5 m"}, "expected a number (s), got one in m"},
       {{"run", "stack", "--steps", "2.5"}, "--steps: expected a whole number, got \"2.5\"; 'pabd run"},
+      {{"run", "stack", "--steps", "2 s"}, "--steps: expected a whole number, got \"2 s\"; 'pabd run"},
       {{"run", "stack", "--steps", "99999999999999999999"}, "--steps: expected a whole number, got"},
-      {{"plot", "barrier", "-o", "a.csv", "--d-hat", "0.01,5mm"},
-       "--d-hat: expected a number (m), got \"5mm\"; write 0.005; "},
+      {{"plot", "barrier", "-o", "a.csv", "--d-hat", "0.01,5s"},
+       "--d-hat: expected a number (m), got \"5s\"; "},
       {{"render", "stack", "-o", "a.mp4", "--fps", "x"}, "--fps: expected a number, got \"x\"; "}};
   for (const auto& [command, words] : wrong) {
     CAPTURE(command);
@@ -173,6 +173,16 @@ TEST_CASE("a number with a unit, or of the wrong kind, is told what to write") {
     CHECK(outcome.exit_code == 2);
     CHECK(is_error_line(outcome.err, {words}));
   }
+}
+
+TEST_CASE("a number is read with a unit that fits, as an option and with --set") {
+  const auto hash = [](const std::string& time, const std::string& step) {
+    const Outcome outcome = run_pabd({"run", "two_boxes", "--time", time, "--set", "time_step=" + step});
+    CHECK(outcome.exit_code == 0);
+    return outcome.out.substr(outcome.out.find("state "));
+  };
+  CHECK(hash("50ms", "5 ms") == hash("0.05", "0.005"));
+  CHECK(hash("50ms", "5 ms") != hash("0.05", "0.01"));
 }
 
 TEST_CASE("shipped scenes are listed and are found by name") {

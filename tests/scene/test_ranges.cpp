@@ -97,16 +97,29 @@ TEST_CASE("the dynamic friction is told how large it may be", "[scene]") {
                 {"/contact/friction", "a coefficient from 0 to 100, or an object"});
 }
 
-TEST_CASE("a number with a unit is told the number to write", "[scene]") {
-  for (const auto& [set, write] : {std::pair{"contact.d_hat=5mm", "(m), got the text \"5mm\"; write 0.005 "},
-                                   {"contact.d_hat=0.3 mm", "; write 0.0003 "},
-                                   {"contact.kappa=2 kJ", "(J), got the text \"2 kJ\"; write 2000 "},
-                                   {"time_step=20ms", "(s), got the text \"20ms\"; write 0.02 "},
-                                   {"joints_default.d_hat=1 cm", "; write 0.01 "},
-                                   {"duration=2min", "(s), got the text \"2min\"; write 120 "},
-                                   {"bodies.0.density=1000 kg/m³", "; write 1000 "}}) {
+TEST_CASE("a number with a unit is read where somebody sets it, and in a file is told the number to write",
+          "[scene]") {
+  const auto with = [](const std::string& set) {
+    return parse_scene(with_body(R"("gravity": [0, -9.81, 0])"), "s", ".", {set});
+  };
+  CHECK(with("contact.d_hat=5mm").params.contact.d_hat == 0.005);
+  CHECK(with("contact.d_hat=0.3 mm").params.contact.d_hat == 0.0003);
+  CHECK(with("contact.kappa=2 kJ").params.contact.kappa == 2000);
+  CHECK(with("time_step=20ms").params.h == 0.02);
+  CHECK(with("duration=2min").duration == 120);
+  CHECK(with("gravity.1=-500 cm/s²").params.gravity.y() == -5);
+  CHECK(with("bodies.0.density=2 g/cm³").model.mass[0] == with("bodies.0.density=2000").model.mass[0]);
+  // Text stays text.
+  CHECK(with(R"(bodies.0.name="5 mm")").model.name[0] == "5 mm");
+  for (const auto& [set, why] :
+       {std::pair{"contact.d_hat=5 s", "expected a number (m), got one in s (from --set contact.d_hat=5 s)"},
+        {"contact.N=5 mm", "a whole number from 1 to"},
+        {"time_step=5 mm", "(s), got one in m"},
+        {"contact.d_hat=5 furlong", "(m), got the text"},
+        {"contact.friction=0.3 N", "got one in N"},
+        {"bodies.0.density=5 kg", "(kg/m³), got one in kg"}}) {
     CAPTURE(set);
-    check_refused(with_body(R"("gravity": [0, -9.81, 0])"), {write}, {set});
+    check_refused(with_body(R"("gravity": [0, -9.81, 0])"), {why}, {set});
   }
   check_refused(with_body(R"("contact": { "d_hat": "5 mm" })"), {"/contact/d_hat", "; write 0.005"});
   // Another unit is none of it.

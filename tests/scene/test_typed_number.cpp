@@ -21,6 +21,10 @@ TEST_CASE("numbers are read in the unit that is typed behind them") {
                          {"36 km/h", "m/s", "10"},
                          {"3 kJ", "J", "3000"},
                          {"1e-2", "", "1e-2"},
+                         {"90 deg", "degrees", "90"},
+                         {"2 kN", "N", "2000"},
+                         {"2 kN m", "N m", "2000"},
+                         {"7.8 g/cm³", "kg/m³", "7800"},
                          {"auto", "J", "auto"},
                          {"auto 12.5 J", "J", "auto"}}) {
     CAPTURE(row.typed, row.unit);
