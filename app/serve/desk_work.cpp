@@ -186,7 +186,11 @@ bool DeskWork::take_frame(double began) {
   viewer_.renderer().fetch(image);
   send_changes();
   const double now = seconds_now();
-  return stream_.show(std::move(image), stamp_, 1000 * (now - began), now);
+  const Rect& view = viewer_.layout().view;
+  const auto x = static_cast<int>(std::floor(view.x)), y = static_cast<int>(std::floor(view.y));
+  const PixelRect picture{x, y, static_cast<int>(std::ceil(view.right())) - x,
+                          static_cast<int>(std::ceil(view.bottom())) - y};
+  return stream_.show(std::move(image), stamp_, 1000 * (now - began), now, picture);
 }
 
 void DeskWork::send_changes() {

@@ -30,6 +30,9 @@ Image cut(const Image& image, const PixelRect& rect) {
   return out;
 }
 
+const PixelRect& rect_of(const PixelRect& rect) { return rect; }
+const PixelRect& rect_of(const JpegPart& part) { return part.rect; }
+
 struct JpegBytes {
   unsigned char* data = nullptr;
   unsigned long size = 0;
@@ -82,40 +85,47 @@ FrameEncoder::FrameEncoder() : handle_(tjInitCompress()) {
 
 FrameEncoder::~FrameEncoder() { tjDestroy(handle_); }
 
-template <class Encode>
-EncodedFrame FrameEncoder::encode(const Image& image, const std::vector<PixelRect>& rects, FrameHead head,
+template <class Part, class Encode>
+EncodedFrame FrameEncoder::encode(const Image& image, const std::vector<Part>& parts, FrameHead head,
                                   const Encode& encode) {
   using Clock = std::chrono::steady_clock;
   const auto begin = Clock::now();
   std::vector<std::string> payloads;
-  for (const PixelRect& rect : rects) payloads.push_back(encode(rect));
+  for (const Part& part : parts) payloads.push_back(encode(part));
   last_ms_ = std::chrono::duration<double, std::milli>(Clock::now() - begin).count();
   head.width = static_cast<std::uint16_t>(image.width);
   head.height = static_cast<std::uint16_t>(image.height);
   head.encode_us = static_cast<std::uint32_t>(std::lround(1000 * last_ms_));
   EncodedFrame out;
-  for (std::size_t i = 0; i < rects.size(); ++i) {
-    head.left = static_cast<std::uint16_t>(rects.size() - 1 - i);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const PixelRect& rect = rect_of(parts[i]);
+    head.left = static_cast<std::uint16_t>(parts.size() - 1 - i);
     if (head.left == 0) head.flags |= FrameHead::kLast;
-    head.x = static_cast<std::uint16_t>(rects[i].x);
-    head.y = static_cast<std::uint16_t>(rects[i].y);
-    head.w = static_cast<std::uint16_t>(rects[i].w);
-    head.h = static_cast<std::uint16_t>(rects[i].h);
+    head.x = static_cast<std::uint16_t>(rect.x);
+    head.y = static_cast<std::uint16_t>(rect.y);
+    head.w = static_cast<std::uint16_t>(rect.w);
+    head.h = static_cast<std::uint16_t>(rect.h);
     out.parts.push_back(std::make_shared<const std::string>(to_bytes(head) + payloads[i]));
     out.bytes += out.parts.back()->size();
   }
   return out;
 }
 
-EncodedFrame FrameEncoder::jpeg(const Image& image, const std::vector<PixelRect>& rects, int quality,
-                                FrameHead head) {
+EncodedFrame FrameEncoder::jpeg(const Image& image, const std::vector<JpegPart>& parts, FrameHead head) {
   head.kind = FrameHead::jpeg;
-  const int pitch = image.width * 3;
-  return encode(image, rects, head, [&](const PixelRect& rect) {
+  return encode(image, parts, head, [&](const JpegPart& part) {
+    const PixelRect& rect = part.rect;
+    Image small;
+    if (part.look.scale < 1) small = reduced(cut(image, rect), part.look.scale);
+    const bool whole = small.rgb.empty();
+    const int pitch = 3 * (whole ? image.width : small.width);
+    const std::size_t at = whole ? static_cast<std::size_t>(rect.y) * static_cast<std::size_t>(pitch) +
+                                       3 * static_cast<std::size_t>(rect.x)
+                                 : 0;
+    const int quality = part.look.quality;
     JpegBytes jpeg;
-    const std::size_t at = static_cast<std::size_t>(rect.y) * static_cast<std::size_t>(pitch) +
-                           3 * static_cast<std::size_t>(rect.x);
-    if (tjCompress2(handle_, &image.rgb[at], rect.w, pitch, rect.h, TJPF_RGB, &jpeg.data, &jpeg.size,
+    if (tjCompress2(handle_, &(whole ? image : small).rgb[at], whole ? rect.w : small.width, pitch,
+                    whole ? rect.h : small.height, TJPF_RGB, &jpeg.data, &jpeg.size,
                     quality >= kFineColour ? TJSAMP_444 : TJSAMP_420, quality, 0) != 0)
       throw Error(ErrorKind::encoder, std::string("libjpeg-turbo: ") + tjGetErrorStr2(handle_));
     return std::string(reinterpret_cast<const char*>(jpeg.data), jpeg.size);

@@ -8,6 +8,7 @@
 #include <string_view>
 #include <vector>
 
+#include "app/serve/adaptation.h"
 #include "app/serve/tiles.h"
 
 namespace pabd {
@@ -40,6 +41,12 @@ struct EncodedFrame {
   std::size_t bytes = 0;
 };
 
+// A rectangle as a JPEG, of fewer pixels where `look` is reduced.
+struct JpegPart {
+  PixelRect rect;
+  FrameLook look;
+};
+
 class FrameEncoder {
  public:
   FrameEncoder();
@@ -47,16 +54,16 @@ class FrameEncoder {
   FrameEncoder(const FrameEncoder&) = delete;
   FrameEncoder& operator=(const FrameEncoder&) = delete;
 
-  // One message per rectangle. `head` gives frame, stamp and drawing time; the rest is filled in. `quality`: 1 … 100;
+  // One message per rectangle. `head` gives frame, stamp and drawing time; the rest is filled in. Quality: 1 … 100;
   // from 90 on without chroma subsampling. Throws Error(encoder).
-  EncodedFrame jpeg(const Image& image, const std::vector<PixelRect>& rects, int quality, FrameHead head);
+  EncodedFrame jpeg(const Image& image, const std::vector<JpegPart>& parts, FrameHead head);
   EncodedFrame png(const Image& image, const std::vector<PixelRect>& rects, FrameHead head);
 
   double last_ms() const { return last_ms_; }  // time of the last frame
 
  private:
-  template <class Encode>
-  EncodedFrame encode(const Image& image, const std::vector<PixelRect>& rects, FrameHead head,
+  template <class Part, class Encode>
+  EncodedFrame encode(const Image& image, const std::vector<Part>& parts, FrameHead head,
                       const Encode& encode);
 
   void* handle_;  // of libjpeg-turbo

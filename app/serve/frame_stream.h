@@ -23,7 +23,8 @@ class FrameStream {
   using Send = std::function<void(VisitorId, const EncodedFrame&)>;
   static constexpr double kStill = 0.2;  // s without change before lossless parts are sent
   static constexpr std::size_t kLosslessTiles =
-      160;  // at a time, so that the next moving frame does not wait long
+      160;                                 // at a time, so that the next moving frame does not wait long
+  static constexpr double kBeside = 0.15;  // s between what is beside the picture on a slow link
 
   explicit FrameStream(Send send) : send_(std::move(send)) {}
 
@@ -35,8 +36,9 @@ class FrameStream {
   void choose(Adaptation::Mode mode) { adaptation_.choose(mode); }
   void acknowledge(VisitorId visitor, std::uint32_t frame, double shown_ms, double now);
 
-  // The window as drawn. False: the same pixels as before.
-  bool show(Image image, std::uint32_t stamp, double draw_ms, double now);
+  // The window as drawn; only in `picture` (empty: everywhere) is it made coarser for a slow link. False: the same pixels
+  // as before.
+  bool show(Image image, std::uint32_t stamp, double draw_ms, double now, const PixelRect& picture = {});
   // Whether drawing another frame is useful: a visitor can take one, or has been sent the newest.
   bool wants_frame() const;
   bool empty() const { return visitors_.empty(); }
@@ -59,7 +61,8 @@ class FrameStream {
   };
   void send_moving(VisitorId id, Visitor& visitor, double now);
   void send_lossless(VisitorId id, Visitor& visitor, double now);
-  void begin_moving();
+  void begin_moving(double now);
+  std::vector<JpegPart> parts_of(const std::vector<PixelRect>& rects) const;
   void send(VisitorId id, Visitor& visitor, const EncodedFrame& frame, double now);
   FrameHead head() const;
   VisitorId leader() const;
@@ -71,14 +74,18 @@ class FrameStream {
   std::optional<VisitorId> leader_;
 
   Image image_;
+  PixelRect picture_;
   std::uint32_t number_ = 0, stamp_ = 0;
   double draw_ms_ = 0, changed_ = -1e9;
 
-  // The newest moving frame as encoded, and the frame on which its rectangles (part_) build.
+  // The newest moving frame as encoded, and the frame on which its rectangles (part_) build. What waits of it is in
+  // `sent_` as it was.
   Image sent_;
   FrameLook sent_look_;
   std::uint32_t sent_number_ = 0, base_ = 0;
-  std::vector<PixelRect> rects_;
+  std::vector<PixelRect> rects_;  // that changed, of which
+  std::vector<JpegPart> parts_;   // these are sent
+  double beside_sent_ = -1e9;
   std::optional<EncodedFrame> part_, whole_;
 
   double counted_from_ = 0;

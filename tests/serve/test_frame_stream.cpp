@@ -40,21 +40,41 @@ class Page {
   Image canvas;
   FrameHead head;
   int frames = 0;
-  std::size_t bytes = 0;
+  std::size_t bytes = 0, coarse = 0;  // coarse: pixels that came from fewer
 
  private:
-  Image decode(const std::string& data) const {
+  static Image enlarged(const Image& image, int width, int height) {
+    Image out;
+    out.resize(width, height);
+    for (int y = 0; y < height; ++y) {
+      for (int x = 0; x < width; ++x) {
+        const auto from =
+            3 * (static_cast<std::size_t>(y * image.height / height) * static_cast<std::size_t>(image.width) +
+                 static_cast<std::size_t>(x * image.width / width));
+        std::memcpy(&out.rgb[3 * (static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
+                                  static_cast<std::size_t>(x))],
+                    &image.rgb[from], 3);
+      }
+    }
+    return out;
+  }
+  Image decode(const std::string& data) {
     Image out;
     if (head.kind == FrameHead::png) {
       const TempFolder folder;
       write_bytes(folder / "part.png", data);
       out = read_png(folder / "part.png");
     } else {
-      out.resize(head.w, head.h);
       const tjhandle handle = tjInitDecompress();
       const auto* jpeg = reinterpret_cast<const unsigned char*>(data.data());
-      REQUIRE(tjDecompress2(handle, jpeg, data.size(), out.rgb.data(), head.w, 0, head.h, TJPF_RGB, 0) == 0);
+      int w = 0, h = 0, subsampling = 0;
+      REQUIRE(tjDecompressHeader2(handle, const_cast<unsigned char*>(jpeg), data.size(), &w, &h,
+                                  &subsampling) == 0);
+      out.resize(w, h);
+      REQUIRE(tjDecompress2(handle, jpeg, data.size(), out.rgb.data(), w, 0, h, TJPF_RGB, 0) == 0);
       tjDestroy(handle);
+      coarse += static_cast<std::size_t>(head.w * head.h > w * h ? head.w * head.h : 0);
+      if (w != head.w || h != head.h) out = enlarged(out, head.w, head.h);
     }
     REQUIRE(out.width == head.w);
     REQUIRE(out.height == head.h);
@@ -195,7 +215,8 @@ TEST_CASE("whatever is shown and whoever reads how fast, all end with the same e
       v.stream.choose(random() % 2 ? Adaptation::Mode::fast : Adaptation::Mode::automatic);
     const bool larger = i / 50 == 1;
     last = scene(static_cast<int>(random() % 500), static_cast<int>(random() % 300), larger ? 800 : 640, 400);
-    v.stream.show(last, static_cast<std::uint32_t>(i), 1, now);
+    v.stream.show(last, static_cast<std::uint32_t>(i), 1, now,
+                  i % 3 == 0 ? PixelRect{} : PixelRect{30, 40, 333, 222});
     v.stream.deliver(now);
     for (VisitorId id = 1; id <= 3; ++id)
       if (random() % (2 * id) == 0) v.acknowledge(id, now);
@@ -206,6 +227,67 @@ TEST_CASE("whatever is shown and whoever reads how fast, all end with the same e
     v.stream.deliver(now);
   }
   for (VisitorId id = 1; id <= 3; ++id) CHECK(v.pages[id].canvas.rgb == last.rgb);
+}
+
+TEST_CASE("on a slow link the picture becomes coarser, and text beside it stays as it is") {
+  // Left of 400 the picture; right of it strokes of one pixel, as letters have, which move as well.
+  constexpr int kEdge = 401, kWidth = 640, kHeight = 400;
+  const auto window = [](int step) {
+    Image out = scene(7 * step % 300, 50, kWidth, kHeight);
+    std::mt19937 random(static_cast<unsigned>(step));
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kEdge; ++x)
+        out.rgb[3 * static_cast<std::size_t>(y * kWidth + x)] = static_cast<std::uint8_t>(random() % 128);
+      for (int x = kEdge; x < kWidth; ++x) {
+        const bool ink = (x + y + step / 10) % 3 == 0;
+        std::memset(&out.rgb[3 * static_cast<std::size_t>(y * kWidth + x)], ink ? 230 : 25, 3);
+      }
+    }
+    return out;
+  };
+  const auto right_error = [](const Image& a, const Image& b) {
+    double sum = 0;
+    for (int y = 0; y < kHeight; ++y)
+      for (std::size_t k = 3 * kEdge; k < 3 * kWidth; ++k) {
+        const std::size_t at = 3 * static_cast<std::size_t>(y * kWidth) + k;
+        sum += std::abs(int{a.rgb[at]} - int{b.rgb[at]});
+      }
+    return sum / (3.0 * kHeight * (kWidth - kEdge));
+  };
+  Visited v;
+  v.stream.arrive(1);
+  double now = 0;
+  int step = 0;
+  const PixelRect picture{0, 0, kEdge, kHeight};
+  // Every frame takes 120 ms.
+  for (; step < 60; ++step) {
+    v.stream.show(window(step), 0, 1, now, picture);
+    v.stream.deliver(now);
+    now += 0.12;
+    v.acknowledge(1, now);
+  }
+  Page& page = v.pages[1];
+  CHECK(page.coarse > 0);
+  // Whatever is on the page beside the picture was sent within the last two tenths of a second.
+  double least = 1e9;
+  for (int back = 1; back <= 3; ++back)
+    least = std::min(least, right_error(page.canvas, window(step - back)));
+  CHECK(least < 12);
+  // The same strokes at half the size are grey: an error of about 90.
+  const Image half = reduced(window(step - 1), 0.5);
+  Image grey = window(step - 1);
+  for (int y = 0; y < kHeight; ++y)
+    for (int x = 0; x < kWidth; ++x)
+      std::memcpy(&grey.rgb[3 * static_cast<std::size_t>(y * kWidth + x)],
+                  &half.rgb[3 * static_cast<std::size_t>(y / 2 * half.width + x / 2)], 3);
+  CHECK(right_error(grey, window(step - 1)) > 50);
+  // At rest all of it is exact.
+  for (int i = 0; i < 20; ++i) {
+    now += 0.1;
+    v.stream.deliver(now);
+    v.acknowledge(1, now);
+  }
+  CHECK(page.canvas.rgb == window(step - 1).rgb);
 }
 
 TEST_CASE("a page that lost what it had gets the whole frame again") {

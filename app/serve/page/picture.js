@@ -84,7 +84,7 @@ export class Picture {
         broken = true;
         return;
       }
-      this.#context.imageSmoothingEnabled = sx !== 1 || sy !== 1;
+      this.#context.imageSmoothingEnabled = sx !== 1 || sy !== 1 || image.width !== part.w;
       this.#context.drawImage(image, part.x * sx, part.y * sy, part.w * sx, part.h * sy);
     });
     for (const image of images) image?.close();
