@@ -88,11 +88,20 @@ void color_bar(const GuiFrame& f, float right, float top, float most, const std:
   }
 }
 
+// Do the names of two simulations reach below the legends at the right?
+bool names_are_in_the_way(const GuiFrame& f) {
+  constexpr double kWidest = 236;  // of a legend, and its distance from the edge
+  if (!f.sim.b) return false;
+  const Rect& last = f.ui.side_by_side ? f.layout.views[1] : f.layout.view;
+  const float name = ImGui::CalcTextSize(f.ui.side_by_side ? "B" : "A, and B as a ghost").x;
+  return last.x + static_cast<double>(name + f.px(24)) > f.layout.view.right() - kWidest * f.unit;
+}
+
 void legends(const GuiFrame& f, const Rect& view) {
   if (view.w < 220 * f.unit) return;
   const BodyColors colors = shown_colors(f.sim, f.sim.a, f.ui.color);
   const float right = static_cast<float>(view.right()) - f.px(12);
-  float top = static_cast<float>(view.y) + f.px(12);
+  float top = static_cast<float>(view.y) + f.px(12) + (names_are_in_the_way(f) ? f.px(kNames) : 0);
   const float most = 0.42f * static_cast<float>(view.w);
   if (!colors.note.empty()) note(f, {right, top}, colors.note, {1, 0});
   if (colors.note.empty() && !colors.values.empty())
@@ -124,7 +133,8 @@ void pulls(const GuiFrame& f, const RunView& run, const Rect& view) {
 
 double below_captions(const GuiFrame& f) {
   const double count = (f.ui.color != ColorQuantity::body) + shows_contact_legend(f);
-  return f.unit * (kTop + (count > 0 ? count * kLegend : f.sim.b ? kNames : 0));
+  const bool names = count > 0 ? names_are_in_the_way(f) : f.sim.b.has_value();
+  return f.unit * (kTop + count * kLegend + (names ? kNames : 0));
 }
 double below_recording(const GuiFrame& f) {
   constexpr double kRecording = 96;
@@ -140,6 +150,7 @@ void draw_picture_notes(GuiFrame& f, const GuiLayout& layout) {
   ImGui::GetBackgroundDrawList()->PushClipRect(
       {static_cast<float>(layout.view.x), static_cast<float>(layout.view.y)},
       {static_cast<float>(layout.view.right()), static_cast<float>(layout.view.bottom())});
+  draw_compare_labels(f, layout);  // under the legends
   legends(f, layout.view);
   if (f.ui.marks.axes || f.ui.marks.scale) {
     ImGuiCanvas canvas(f.metrics, f.fonts, *ImGui::GetBackgroundDrawList());

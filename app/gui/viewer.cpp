@@ -227,7 +227,6 @@ struct Viewer::Impl {
       timeline.draw(frame);
       ImGui::End();
     }
-    draw_compare_labels(frame, layout);
     dialogs.look(*sim, ui);
     messages.draw(frame, layout.view, seconds, dialogs.answered());
     draw_recording(frame, layout.view);
