@@ -109,23 +109,22 @@ class BarrierPanelView final : public GuiPanel {
     command::BarrierView view = f.ui.barrier;
     bool changed = false;
     const bool full = ImGui::GetWindowContentRegionMax().x >= f.px(kFullControls);
-    const float gap = f.px(full ? 2 : 1);
     static constexpr const char* kPlain[] = {"B", "B′", "B″"};
     for (const Choice& c : kBarrierQuantities) {
       const std::size_t i = place_in(kBarrierQuantities, c.name);
-      if (i > 0) ImGui::SameLine(0, gap);
+      if (i > 0) ImGui::SameLine(0, f.px(2));
       if (toggle_button(f, view.energy ? c.label : kPlain[i], view.quantity == c.name, c.help)) {
         view.quantity = c.name;
         changed = true;
       }
     }
-    ImGui::SameLine(0, full ? f.px(12) : gap);
+    ImGui::SameLine(0, f.px(full ? 12 : 2));
     const auto toggle = [&](const char* text, bool& on, const char* help) {
       if (toggle_button(f, text, on, help)) {
         on = !on;
         changed = true;
       }
-      ImGui::SameLine(0, gap);
+      ImGui::SameLine(0, f.px(2));
     };
     toggle("log", view.log, "Logarithmic height");
     bool plain = !view.energy;
@@ -145,7 +144,7 @@ class BarrierPanelView final : public GuiPanel {
       check("log barrier", view.log_barrier);
       ImGui::EndPopup();
     }
-    ImGui::SameLine(0, gap);
+    ImGui::SameLine(0, f.px(2));
     if (const char* against =
             choice_combo("##against", kBarrierAbscissas, view.against, f.px(40),
                          "Against the distance d; or what a change of d̂, N or κ does at the gaps "
@@ -212,7 +211,7 @@ class BarrierPanelView final : public GuiPanel {
           model_->name[static_cast<std::size_t>(rest.body)], value(rest.load, " N"), rest.contacts,
           rest.assumed ? " (assumed: nothing rests yet)" : "");
     }
-    const float half = std::round(0.5f * (ImGui::GetContentRegionAvail().x - f.px(14)));
+    const float half = std::floor(0.5f * (ImGui::GetContentRegionAvail().x - f.px(14)));
     const ImVec2 at = ImGui::GetCursorScreenPos();
     const float line = ImGui::GetTextLineHeightWithSpacing();
     cell(f, at, half, "rest gap", gap, where, deep);

@@ -104,7 +104,7 @@ class ComparePanel final : public GuiPanel {
                          "soft: ½ κ d²; hard: the even terms of the contacts' polynomial. Another "
                          "one has its κ found anew (auto)"))
       f.out.send(command::Set{key_of("potential"), word, Side::b});
-    field(f, "κ", key_of("kappa"), fmt::format("{:.4g} {}", law.kappa, hard ? "J" : "N/m"), 104,
+    field(f, "κ", key_of("kappa"), fmt::format("{:.4g} {}", law.kappa, hard ? "J" : "N/m"), 120,
           fmt::format("Stiffness of the joints: a number in {}, or auto. {}", hard ? "J" : "N/m",
                       "Exact value: " + joint_settings(law)[1].second));
     if (hard) {

@@ -59,6 +59,18 @@ class TestWindow {
     }
     settle();
   }
+  void scroll(double x, double y, double notches) {
+    viewer_.handle(MouseMoved{x, y});
+    draw();
+    viewer_.handle(MouseScrolled{0, notches});
+    settle();
+  }
+  // By a part of its name; null: it is not seen.
+  static const ImGuiWindow* find(const std::string& name) {
+    for (const ImGuiWindow* window : ImGui::GetCurrentContext()->Windows)
+      if (window->Active && std::string(window->Name).find(name) != std::string::npos) return window;
+    return nullptr;
+  }
   bool popup_open() const { return !ImGui::GetCurrentContext()->OpenPopupStack.empty(); }
 
   // What is outside of the window or cut.
@@ -167,6 +179,19 @@ TEST_CASE("whatever the toolbar opens lies inside the window") {
     // The menus of colours, panels and view, the dialog of another scene, or what stands in for them.
     CHECK(opened.size() >= (size.width >= 1280 ? 5u : 2u));
   }
+}
+
+TEST_CASE("the help of a small window is scrolled to its end by the wheel") {
+  TestWindow window;
+  window.resize({360, 640});
+  window.viewer().send(ViewCommand(command::Help{true}));
+  window.settle();
+  const ImGuiWindow* help = window.find("##all");
+  REQUIRE(help != nullptr);
+  CHECK(help->ScrollMax.y > 300);
+  CHECK(help->Scroll.y == 0);
+  window.scroll(180, 300, -100);
+  CHECK(help->Scroll.y == help->ScrollMax.y);
 }
 
 }  // namespace pabd::test_window_sizes
