@@ -85,6 +85,34 @@ TEST_CASE("convergence panel: each quantity is the record's number, the present 
   CHECK(named(convergence_panel(runs, ConvergenceQuantity::residual), "sissm")->x.back() == 6);
 }
 
+TEST_CASE(
+    "convergence panels: energies of runs with softened bonds have axes of their own, as in the figure") {
+  std::vector<MethodRun> runs{{"sissm", falling(6, 0.5, 5, true), 3},
+                              {"descent", falling(4, 0.1, 5, false)},
+                              {"newton", falling(3, 0.01, 5, false)}};
+  for (const auto quantity : {ConvergenceQuantity::energy_gap, ConvergenceQuantity::energy}) {
+    const std::vector<Plot> plots = convergence_panels(runs, quantity, Minimiser{4.5, 0});
+    REQUIRE(plots.size() == 2);
+    CHECK((plots[0].series.size() == (quantity == ConvergenceQuantity::energy ? 3u : 2u)));
+    CHECK(named(plots[0], "descent"));
+    CHECK(named(plots[0], "newton"));
+    REQUIRE(plots[1].series.size() == 1);  // without the minimum of another function
+    CHECK(plots[1].series[0].name == "sissm");
+    CHECK(plots[1].series[0].color == 0);  // as in every other view
+    CHECK(plots[1].title.find("with 3 bonds softened") != std::string::npos);
+  }
+  CHECK(convergence_panels(runs, ConvergenceQuantity::residual).size() == 1);
+  const Figure figure = convergence_figure(runs, std::nullopt);
+  CHECK(figure.plots[0].series.size() == 2);
+  CHECK(figure.plots[1].title == "Energy gap with 3 bonds softened");
+  CHECK(figure.plots[1].series[0].y[0] ==
+        convergence_panels(runs, ConvergenceQuantity::energy_gap)[1].series[0].y[0]);
+  // Alone it has the only plot; all of one function share one.
+  CHECK(convergence_panels({runs[0]}, ConvergenceQuantity::energy_gap).size() == 1);
+  runs[0].softened = 0;
+  CHECK(convergence_panels(runs, ConvergenceQuantity::energy_gap).size() == 1);
+}
+
 TEST_CASE("convergence panel: penetration before and after the projection where they differ") {
   const std::vector<MethodRun> runs{{"descent", falling(4, 0.1, 5, false)},
                                     {"sissm", falling(6, 0.5, 5, true)}};

@@ -6,7 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <iterator>
+#include <numeric>
 
 #include "app/plots/axis_ticks.h"
 #include "app/plots/figures/run_caption.h"
@@ -155,10 +155,40 @@ StepReport solve_recorded(const Model& model, Params params, State state, Solver
   return report;
 }
 
-}  // namespace
+// Runs whose E is one function, by number: those without softened bonds first, then every other one alone.
+using RunNumbers = std::vector<std::size_t>;
+std::vector<RunNumbers> by_function(const std::vector<MethodRun>& runs) {
+  std::vector<RunNumbers> out;
+  RunNumbers plain;
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (runs[i].softened == 0) {
+      plain.push_back(i);
+    } else {
+      out.push_back({i});
+    }
+  }
+  if (out.empty() || !plain.empty()) out.insert(out.begin(), std::move(plain));
+  return out;
+}
 
-Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity quantity,
-                       const std::optional<Minimiser>& minimiser) {
+RunNumbers every_run(const std::vector<MethodRun>& runs) {
+  RunNumbers out(runs.size());
+  std::iota(out.begin(), out.end(), std::size_t{0});
+  return out;
+}
+
+// Bonds that the runs of one function have softened, in words; empty: none.
+std::string softened_words(const std::vector<MethodRun>& runs, const RunNumbers& which) {
+  const int softened = which.empty() ? 0 : runs[which.front()].softened;
+  return softened == 0 ? "" : fmt::format("with {} softened", counted(softened, "bond"));
+}
+
+bool is_energy(ConvergenceQuantity quantity) {
+  return quantity == ConvergenceQuantity::energy_gap || quantity == ConvergenceQuantity::energy;
+}
+
+Plot panel_of(const std::vector<MethodRun>& runs, const RunNumbers& which, ConvergenceQuantity quantity,
+              const std::optional<Minimiser>& minimiser) {
   Plot plot = quantity_plot_of(quantity);
   const double ending = least_ending_energy(runs);
   const double least = minimiser && minimiser->energy <= ending ? minimiser->energy : ending;
@@ -167,7 +197,8 @@ Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity q
     plot.y.label = quantities::above_least.axis;
   }
   // Held ones first: the present one lies on top.
-  for (std::size_t k = runs.size(); k-- > 0;) {
+  for (auto at = which.rbegin(); at != which.rend(); ++at) {
+    const std::size_t k = *at;
     const MethodRun& run = runs[k];
     const int color = static_cast<int>(k);
     const double weight = k == 0 ? 1.3 : 1.0;
@@ -189,6 +220,26 @@ Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity q
   return plot;
 }
 
+}  // namespace
+
+Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity quantity,
+                       const std::optional<Minimiser>& minimiser) {
+  return panel_of(runs, every_run(runs), quantity, minimiser);
+}
+
+std::vector<Plot> convergence_panels(const std::vector<MethodRun>& runs, ConvergenceQuantity quantity,
+                                     const std::optional<Minimiser>& minimiser) {
+  if (!is_energy(quantity)) return {convergence_panel(runs, quantity, minimiser)};
+  std::vector<Plot> plots;
+  for (const RunNumbers& which : by_function(runs)) {
+    const std::string softened = softened_words(runs, which);
+    // The minimum is that of E as it stands.
+    plots.push_back(panel_of(runs, which, quantity, softened.empty() ? minimiser : std::nullopt));
+    if (!softened.empty()) plots.back().title += " " + softened;
+  }
+  return plots;
+}
+
 Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optional<Minimiser>& minimiser,
                           const std::string& about) {
   using Shown = ConvergenceQuantity;
@@ -206,33 +257,25 @@ Figure convergence_figure(const std::vector<MethodRun>& runs, const std::optiona
   std::vector<Shown> shown{Shown::energy_gap, Shown::residual};
   if (contacts || !joints) shown.push_back(Shown::penetration);
   if (joints) shown.push_back(Shown::joint_error);
-  // Energies of different functions have no axis in common.
-  std::vector<Plot> softened;
   for (const Shown quantity : shown) {
-    Plot plot = quantity_plot_of(quantity);
-    if (quantity == Shown::energy_gap) {
-      plot.title = "Energy gap";
-      if (reached) plot.y.label = quantities::above_least.axis;
-    }
-    for (std::size_t i = 0; i < runs.size(); ++i) {
-      const MethodRun& run = runs[i];
-      if (quantity == Shown::energy_gap && run.softened > 0) {
-        softened.push_back(quantity_plot_of(quantity));
-        softened.back().title = fmt::format("Energy gap with {} softened", counted(run.softened, "bond"));
-        softened.back().series = {quantity_curve(run, quantity, least, static_cast<int>(i))};
-        continue;
+    for (const RunNumbers& which :
+         is_energy(quantity) ? by_function(runs) : std::vector<RunNumbers>{every_run(runs)}) {
+      Plot plot = quantity_plot_of(quantity);
+      const std::string softened = softened_words(runs, which);
+      if (is_energy(quantity)) plot.title = softened.empty() ? "Energy gap" : "Energy gap " + softened;
+      if (is_energy(quantity) && softened.empty() && reached) plot.y.label = quantities::above_least.axis;
+      for (const std::size_t i : which) {
+        const MethodRun& run = runs[i];
+        const int color = static_cast<int>(i);
+        plot.series.push_back(quantity_curve(run, quantity, least, color));
+        if (quantity != Shown::penetration || !projection_shows(run)) continue;
+        plot.series.back().name += ", after projection";
+        plot.series.push_back(iteration_curve(run.name + ", before projection", run.records, depth_before,
+                                              color, SeriesStyle::dashed));
       }
-      const int color = static_cast<int>(i);
-      plot.series.push_back(quantity_curve(run, quantity, least, color));
-      if (quantity != Shown::penetration || !projection_shows(run)) continue;
-      plot.series.back().name += ", after projection";
-      plot.series.push_back(iteration_curve(run.name + ", before projection", run.records, depth_before,
-                                            color, SeriesStyle::dashed));
+      if (quantity == Shown::penetration && minimiser) add_minimiser(*minimiser, plot);
+      figure.plots.push_back(std::move(plot));
     }
-    if (quantity == Shown::penetration && minimiser) add_minimiser(*minimiser, plot);
-    if (softened.empty() || !plot.series.empty()) figure.plots.push_back(std::move(plot));
-    std::move(softened.begin(), softened.end(), std::back_inserter(figure.plots));
-    softened.clear();
   }
   figure.columns = figure.plots.size() == 4 ? 2 : 3;
 

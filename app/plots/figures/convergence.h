@@ -56,6 +56,10 @@ inline constexpr int kConvergenceQuantities = 6;
 Plot convergence_panel(const std::vector<MethodRun>& runs, ConvergenceQuantity quantity,
                        const std::optional<Minimiser>& minimiser = std::nullopt);
 
+// The same in as many plots as are needed: energies of different functions have no axis in common.
+std::vector<Plot> convergence_panels(const std::vector<MethodRun>& runs, ConvergenceQuantity quantity,
+                                     const std::optional<Minimiser>& minimiser = std::nullopt);
+
 // Three plots: energy gap (log), residual (log), penetration before (dashed) and after the projection. A run whose E is
 // another function has an energy gap of its own. With joints, which show in the records by an error above zero, one
 // more: the joint error (log); the penetration goes when there are no contacts. `about`: what the caption begins
