@@ -119,7 +119,8 @@ std::optional<std::string> TypedField::draw(const std::string& key, const std::s
 
 bool TypedField::number(GuiFrame& f, const std::string& key, const NumberKind& kind, double& value,
                         float width) {
-  const std::string number = fmt::format("{:.{}g}", value, kind.whole ? 15 : kind.digits);
+  const std::string number = kind.decimals < 0 ? fmt::format("{:.{}g}", value, kind.whole ? 15 : kind.digits)
+                                               : fmt::format("{:.{}f}", value, kind.decimals);
   ImGui::PushID(key.c_str());
   auto text = draw(key, kind.name + number + (kind.unit.empty() ? "" : " ") + kind.unit, width);
   ImGui::PopID();

@@ -56,6 +56,7 @@ struct NumberKind {
   std::string unit;
   int digits = 4;
   bool whole = false;
+  int decimals = -1;  // so many in place of digits
 };
 
 // Text fields of a panel, one of which is being typed into.

@@ -115,7 +115,8 @@ void draw_record_fields(GuiFrame& f, command::Record& r, TypedField& field, bool
   const auto& history = f.sim.a.history;
   const double first = history.front().time, last = history.back().time;
   const auto number = [&](const char* key, double& value, const char* unit, const char* help) {
-    field.number(f, key, {.name = "", .unit = unit, .digits = 6}, value, f.px(kField));
+    const NumberKind kind{.name = "", .unit = unit, .digits = 6, .decimals = *unit ? 3 : -1};
+    field.number(f, key, kind, value, f.px(kField));
     tooltip(help);
     ImGui::SameLine();
   };
