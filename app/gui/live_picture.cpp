@@ -10,6 +10,8 @@ namespace {
 constexpr double kRest = 0.3;    // s without motion, then it is drawn as well as it can be
 constexpr double kLeisure = 12;  // ms; a quicker picture is drawn in every frame
 constexpr double kShare = 0.3;   // of the time at most goes into slower ones
+// A picture that takes much longer than the last one is an accident, as while a driver compiles; ms, times.
+constexpr double kUsual = 100, kAccident = 3;
 // Smaller pictures look bad, and are hardly faster with many bodies.
 constexpr double kSmallest = 0.5;
 
@@ -68,7 +70,7 @@ LivePicture::Plan LivePicture::plan(const Snapshot& sim, const UiState& ui, doub
 }
 
 void LivePicture::took(const Plan& plan, double ms) {
-  last_ms_ = ms;
+  last_ms_ = std::min(ms, std::max(kUsual, kAccident * last_ms_));
   if (plan.quality.level == Quality::draft) scale_.took(ms);
 }
 

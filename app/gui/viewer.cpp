@@ -28,6 +28,7 @@
 #include "app/gui/scene_view.h"
 #include "app/gui/sweep_reader.h"
 #include "app/gui/view_actions.h"
+#include "app/gui/warm_up.h"
 #include "app/gui/widgets.h"
 #include "sim/base/error.h"
 
@@ -73,6 +74,8 @@ struct Viewer::Impl {
   SweepReader sweeps;
   Studio studio;
   CameraMotion motion;
+  WarmUp warm;
+  bool shown_once = false;  // the first frame
   int width = kStartWidth, height = kStartHeight;
   bool themed_dark = false;
   double themed_unit = 0;
@@ -169,6 +172,7 @@ struct Viewer::Impl {
     }
   }
 
+  bool warms() const { return !options.steady && !warm.done() && !sim->playing; }
   bool takes_states() const {
     return pabd::takes_states(*sim, ui) || studio.busy() || !device.can_draw(sim->a);
   }
@@ -336,6 +340,9 @@ struct Viewer::Impl {
     if (drawn)
       live.took(plan,
                 sim->a.poses ? 0 : 1000 * (between - before + std::max(0.0, composing - plain_composing)));
+    // After the first picture at rest is there.
+    if (warms() && !drawn && shown_once && hand == Hand::there && input.empty()) warm.draw(renderer);
+    shown_once = true;
     if (hand == Hand::there) studio.work(*sim, ui, width, height, renderer);
     costs.done(FrameCosts::compose);
     send_all(out);
@@ -382,8 +389,8 @@ std::string Viewer::file_of(const std::string& name, FileUse use) const {
   return named_file(impl_->options.files.get(), name, use);
 }
 bool Viewer::has_input() const {
-  return !impl_->input.empty() || impl_->studio.busy() || (impl_->scenes_shown && impl_->scenes.busy()) ||
-         impl_->sweeps.busy();
+  return !impl_->input.empty() || impl_->warms() || impl_->studio.busy() ||
+         (impl_->scenes_shown && impl_->scenes.busy()) || impl_->sweeps.busy();
 }
 
 }  // namespace pabd

@@ -13,6 +13,7 @@ namespace {
 
 constexpr double kRoom = 0.8;  // of the budget, for the next larger scale
 constexpr int kVotes = 4;      // one slow picture may be an accident
+constexpr double kFar = 3;     // times the budget: three of them are none
 
 }  // namespace
 
@@ -26,8 +27,16 @@ void LiveScale::took(double ms) {
   } else {
     votes_ = 0;
   }
-  if (votes_ != kVotes && votes_ != -kVotes) return;
-  at_ += votes_ > 0 ? 1 : -1;
+  const int votes = ms > kFar * budget_ ? kVotes - 1 : kVotes;
+  if (votes_ < votes && votes_ > -votes) return;
+  if (votes_ < 0) {
+    --at_;
+  } else {  // at once as far as the picture needs at least
+    const double s = scale();
+    do {
+      ++at_;
+    } while (at_ + 1 < static_cast<int>(kScales.size()) && ms * (scale() / s) * (scale() / s) > budget_);
+  }
   votes_ = 0;
 }
 

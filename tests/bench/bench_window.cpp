@@ -2,9 +2,10 @@
 // The window while a scene plays, without a display: frames a second, their parts, and how fast the simulation goes
 // beside it.
 //
-//     bench_window [--gpu] [--plain] [--size W H] [--frames N] [SCENE…]
+//     bench_window [--first] [--gpu] [--plain] [--size W H] [--frames N] [SCENE…]
 //
 // Default: pyramid pile, contacts and panels shown, 1280×720, 300 frames after the first 30. --gpu makes the steps.
+// --first: the longest frames after the window opens, after play, and while what it shows is switched.
 // --plain: neither contacts nor panels. SCENE: a shipped one, or a file. As on a display there are at most 60 frames a
 // second: more would take the GPU from the steps, for nothing.
 #include <fmt/format.h>
@@ -30,7 +31,7 @@ constexpr double kLeast = 5;                                 // s
 constexpr auto kDisplay = std::chrono::microseconds(16667);  // between its frames
 
 struct Options {
-  bool gpu = false, plain = false;
+  bool first = false, gpu = false, plain = false;
   int width = 1280, height = 720, frames = 300;
   std::vector<std::string> scenes;
 };
@@ -40,7 +41,9 @@ Options parse(int argc, char** argv) {
   for (int k = 1; k < argc; ++k) {
     const std::string word = argv[k];
     const auto number = [&] { return k + 1 < argc ? std::max(1, std::atoi(argv[++k])) : 1; };
-    if (word == "--gpu") {
+    if (word == "--first") {
+      out.first = true;
+    } else if (word == "--gpu") {
       out.gpu = true;
     } else if (word == "--plain") {
       out.plain = true;
@@ -131,11 +134,57 @@ void measure(GlContext& context, const Options& options, const std::string& scen
   for (const Message& message : viewer.snapshot().messages) fmt::print("{}\n", message.text);
 }
 
+// Frames for `seconds` after `what`: the longest ones, and when the first was done.
+void watch(Viewer& viewer, const Options& options, const char* what, double seconds) {
+  std::vector<double> ms;
+  const auto begin = Clock::now();
+  for (auto last = begin; ms.empty() || seconds_since(begin) < seconds;) {
+    const auto start = Clock::now();
+    viewer.draw(options.width, options.height, seconds_since(last));
+    // What is queued counts as well.
+    Image image;
+    viewer.renderer().queue_read();
+    viewer.renderer().fetch(image);
+    last = start;
+    ms.push_back(1e3 * seconds_since(start));
+    std::this_thread::sleep_until(start + kDisplay);
+  }
+  const double first = ms.front();
+  std::sort(ms.rbegin(), ms.rend());
+  fmt::print("  {:28} first {:6.0f} ms, longest {:6.0f} {:6.0f} {:6.0f} ms, median {:4.0f} ms\n", what, first,
+             ms[0], ms[std::min<std::size_t>(1, ms.size() - 1)], ms[std::min<std::size_t>(2, ms.size() - 1)],
+             ms[ms.size() / 2]);
+}
+
+void measure_first(GlContext& context, const Options& options, const std::string& scene) {
+  Runner runner(std::make_unique<Workbench>(WorkbenchOptions{}, command::Load{scene, {}, false}));
+  context.make_current();
+  const auto begin = Clock::now();
+  Viewer viewer(context, runner, {});
+  fmt::print("{}\n  opening the window {:.0f} ms\n", scene, 1e3 * seconds_since(begin));
+  watch(viewer, options, "window opens", 2);
+  viewer.send(Command(command::Play{}));
+  watch(viewer, options, "play", 4);
+  for (const bool on : {false, true}) {
+    for (const char* what : {"contacts", "bonds"}) {
+      viewer.send(ViewCommand(command::Show{what, on}));
+      watch(viewer, options, fmt::format("{} {}", what, on ? "on" : "off").c_str(), 1.5);
+    }
+  }
+  viewer.send(ViewCommand(command::ContactsBy{"force"}));
+  watch(viewer, options, "contacts by force", 1.5);
+  viewer.send(Command(command::Pause{}));
+  watch(viewer, options, "pause", 2);
+  fmt::print("  step {}, {} contacts\n", viewer.snapshot().a.state->step,
+             viewer.snapshot().a.report.StepSummary::contacts);
+}
+
 }  // namespace
 
 int main(int argc, char** argv) {
   std::vector<ContextAttempt> attempts;
   const auto context = create_headless_context(Backend::automatic, attempts);
   const Options options = parse(argc, argv);
-  for (const std::string& scene : options.scenes) measure(*context, options, scene);
+  for (const std::string& scene : options.scenes)
+    options.first ? measure_first(*context, options, scene) : measure(*context, options, scene);
 }

@@ -52,4 +52,13 @@ TEST_CASE("it comes back when the scene gets cheaper; one slow picture changes n
   CHECK(draw(live, 10, 0, 10) == 0);
 }
 
+TEST_CASE("pictures that are much too slow are as small as they must be after three of them") {
+  LiveScale live(20);
+  draw(live, 3, 0, 300);
+  CHECK(live.scale() == 0.35);
+  LiveScale less(20);
+  draw(less, 3, 10, 60);
+  CHECK(less.scale() == 0.5);  // 20 of 70 ms are 0.53 of a side
+}
+
 }  // namespace pabd::test_quality

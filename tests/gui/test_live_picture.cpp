@@ -47,6 +47,36 @@ TEST_CASE("at rest the picture is as good as it can be, in motion plain and seld
   }
 }
 
+TEST_CASE("one picture that takes seconds, while a driver compiles, holds nothing up") {
+  LivePicture live;
+  Snapshot sim;
+  UiState ui;
+  sim.playing = true;
+  double now = 1, pending = 0;  // pending: ms of the next picture
+  auto state = std::make_shared<State>();
+  const auto next = [&] {  // time until the next picture is drawn; s
+    const double from = now;
+    for (;; now += 0.01) {
+      state = std::make_shared<State>(*state);
+      ++state->step;
+      sim.a.state = state;
+      if (now > from) sim.serial += 1;
+      const auto chosen = live.choose(std::make_shared<Snapshot>(sim), now);
+      const auto plan = live.plan(*chosen, ui, now);
+      if (plan.draw) {
+        live.took(plan, pending);
+        return now - from;
+      }
+    }
+  };
+  pending = 3000;
+  next();
+  now += 3;
+  pending = 15;
+  CHECK(next() < 0.5);
+  CHECK(next() < 0.1);
+}
+
 TEST_CASE("the picture is never older than what is shown beside it") {
   struct Speed {
     double picture, frame;  // s
