@@ -63,4 +63,8 @@ inline constexpr MouseHelp kMouseHelp[] = {{"double-click", "select what is ther
 inline constexpr MouseHelp kPanelHelp[] = {{"drag a border", "how wide or high panels are"},
                                            {"double-click it", "as the window has room"}};
 
+// The same on the plots of panels.
+inline constexpr MouseHelp kPlotHelp[] = {
+    {"wheel", "nearer, farther"}, {"right drag, shift+drag", "move it"}, {"double-click", "all of it again"}};
+
 }  // namespace pabd

@@ -66,13 +66,14 @@ class BarrierPanelView final : public GuiPanel {
   // Once per snapshot.
   void update(const GuiFrame& f, bool tall) {
     const RunView& run = f.sim.a;
-    const bool same =
-        serial_ == f.sim.serial && view_ == f.ui.barrier && held_ == drag_.active() && tall_ == tall;
+    const bool same = serial_ == f.sim.serial && view_ == f.ui.barrier && held_ == drag_.active() &&
+                      tall_ == tall && zoom_ == f.ui.zoom_of(barrier_tab.name);
     if (same) return;
     tall_ = tall;
+    zoom_ = f.ui.zoom_of(barrier_tab.name);
     view_ = f.ui.barrier;
     held_ = drag_.active();
-    std::optional<PlotRange> x, y;
+    std::optional<PlotRange> x = zoom_.x, y = zoom_.y;
     if (held_) {
       x = drag_.x();
       y = drag_.y();
@@ -157,11 +158,16 @@ class BarrierPanelView final : public GuiPanel {
   }
 
   void draw_plot(GuiFrame& f, float height) {
+    const ImVec2 mouse = ImGui::GetMousePos();
+    const auto grip = [&](const PlotLayout& layout) {
+      const Point at{static_cast<double>(mouse.x), static_cast<double>(mouse.y)};
+      return barrier_grip(panel_, layout, at, f.px(kGripReach));
+    };
+    const bool grips = drag_.active() || grip(layout_) != BarrierGrip::none;
     const PlotTouch touch =
-        plot_widget(f, "barrier", panel_.plot, {ImGui::GetContentRegionAvail().x, height});
+        panel_plot(f, barrier_tab.name, panel_.plot, {ImGui::GetContentRegionAvail().x, height}, grips);
     layout_ = touch.layout;
-    const BarrierGrip under =
-        touch.hovered ? barrier_grip(panel_, touch.layout, touch.mouse, f.px(kGripReach)) : BarrierGrip::none;
+    const BarrierGrip under = touch.hovered ? grip(layout_) : BarrierGrip::none;
     if (touch.pressed && under != BarrierGrip::none)
       drag_.begin(under, panel_, f.sim.a.kappa, touch.layout, touch.mouse);
     if (drag_.active() && touch.held) {
@@ -302,6 +308,7 @@ class BarrierPanelView final : public GuiPanel {
   std::uint64_t serial_ = 0;
   command::BarrierView view_;
   bool held_ = false, tall_ = false;
+  PlotZoom zoom_;
   BarrierPanel panel_;
   ContactHistogram histogram_;
   ContactStrip strip_;

@@ -2,6 +2,8 @@
 // How the solver converged in the step that led to the present state, beside curves that are held.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "app/gui/panel_plots.h"
 #include "app/gui/panels.h"
 #include "app/gui/plot_reading.h"
@@ -11,6 +13,7 @@
 namespace pabd {
 namespace {
 
+constexpr double kLeastPlot = 90;  // of a plot among several, px of an ordinary screen
 constexpr const char* kMethods[] = {"sissm", "descent", "newton"};
 
 class ConvergencePanel final : public GuiPanel {
@@ -20,8 +23,7 @@ class ConvergencePanel final : public GuiPanel {
     export_button(f, convergence_tab.name, path_);
     status(f);
     update(f);
-    const PlotTouch touch = plot_widget(f, "convergence", plot_, ImGui::GetContentRegionAvail());
-    read_point(f, plot_, touch, "iteration");
+    draw_plots(f);
   }
 
  private:
@@ -91,17 +93,36 @@ class ConvergencePanel final : public GuiPanel {
     add(", residual " + format_value(r.residual, 2));
   }
 
+  // Above each other, as many as there is room for.
+  void draw_plots(GuiFrame& f) const {
+    const ImVec2 room = ImGui::GetContentRegionAvail();
+    const float gap = ImGui::GetStyle().ItemSpacing.y;
+    const auto most = static_cast<std::size_t>(std::max(1.0f, (room.y + gap) / (f.px(kLeastPlot) + gap)));
+    const std::size_t count = std::min(plots_.size(), most);
+    const auto parts = static_cast<float>(count);
+    const ImVec2 size(room.x, (room.y - (parts - 1) * gap) / parts);
+    for (std::size_t i = 0; i < count; ++i) {
+      const PlotTouch touch =
+          i == 0 ? panel_plot(f, convergence_tab.name, plots_[i], size)
+                 : plot_widget(f, fmt::format("{}{}", convergence_tab.name, i).c_str(), plots_[i], size);
+      read_point(f, plots_[i], touch, "iteration");
+    }
+  }
+
   void update(const GuiFrame& f) {
-    if (serial_ == f.sim.serial && what_ == f.ui.convergence) return;
+    const PlotZoom& zoom = f.ui.zoom_of(convergence_tab.name);
+    if (serial_ == f.sim.serial && what_ == f.ui.convergence && zoom_ == zoom) return;
     serial_ = f.sim.serial;
+    zoom_ = zoom;
     what_ = f.ui.convergence;
-    plot_ = convergence_panel_of(f.sim, f.ui);
-    thin_lines(plot_, 2000);
+    plots_ = convergence_panels_of(f.sim, f.ui);
+    for (Plot& plot : plots_) thin_lines(plot, 2000);
   }
 
   std::uint64_t serial_ = 0;
   std::string what_;
-  Plot plot_;
+  PlotZoom zoom_;
+  std::vector<Plot> plots_;
   std::string path_;  // of the last export
 };
 

@@ -74,6 +74,7 @@ void draw_help(GuiFrame& f, int width, int height) {
   if (ImGui::BeginTable("##columns", columns, ImGuiTableFlags_SizingStretchSame)) {
     ImGui::TableNextColumn();
     help_of_mouse(f, "Mouse on the barrier, while it runs", kBarrierHelp);
+    help_of_mouse(f, "Mouse on plots", kPlotHelp);
     help_of_mouse(f, "Mouse in the picture", kMouseHelp);
     help_of_mouse(f, "Mouse on the panels", kPanelHelp);
     help_groups(f, {"Time", "Window"});

@@ -104,15 +104,15 @@ std::string why_no_curve(const StepReport& report, bool on_device) {
                      report.step);
 }
 
-Plot convergence_panel_of(const Snapshot& sim, const UiState& ui) {
+std::vector<Plot> convergence_panels_of(const Snapshot& sim, const UiState& ui) {
   const StepReport& r = sim.a.report;
   const std::size_t what = place_in(kConvergenceViews, ui.convergence);
-  Plot plot;
+  std::vector<Plot> plots;
   if (what == 0) {
-    plot = convergence_plot(r, !sim.a.model->joints.empty());
-    plot.title = sim.held.empty()
-                     ? ""  // the list says it
-                     : counted(sim.held.size(), "held curve") + " not shown: choose one quantity";
+    plots.push_back(convergence_plot(r, !sim.a.model->joints.empty()));
+    plots.front().title = sim.held.empty()
+                              ? ""  // the list says it
+                              : counted(sim.held.size(), "held curve") + " not shown: choose one quantity";
   } else {
     const auto quantity = static_cast<ConvergenceQuantity>(what - 1);
     std::vector<MethodRun> runs{{to_string(r.method), r.records, r.capped_bonds}};
@@ -126,14 +126,22 @@ Plot convergence_panel_of(const Snapshot& sim, const UiState& ui) {
                         *held.records, held.softened});
       }
     }
-    plot = convergence_panel(runs, quantity);
-    plot.title = others == 0 ? "" : fmt::format("{} held of other steps not shown", others);
+    plots = convergence_panels(runs, quantity);
+    if (plots.size() == 1) plots.front().title.clear();  // the list says it
+    if (others > 0) plots.front().title = fmt::format("{} held of other steps not shown", others);
   }
-  if (r.step == 0) plot.none = "no step yet";
-  return plot;
+  for (Plot& plot : plots) {
+    if (r.step == 0) plot.none = "no step yet";
+    PlotZoom zoom = ui.zoom_of(convergence_tab.name);
+    if (&plot != &plots.front()) zoom.y.reset();  // another function's
+    show_part(zoom, plot);
+  }
+  return plots;
 }
 
-Plot series_panel_of(const Snapshot& sim, const UiState& ui) {
+namespace {
+
+Plot whole_series(const Snapshot& sim, const UiState& ui) {
   const RunView& a = sim.a;
   const double d_hat = a.params.contact.d_hat;
   TimePanelOptions options;
@@ -161,29 +169,41 @@ Plot series_panel_of(const Snapshot& sim, const UiState& ui) {
   return plot;
 }
 
+}  // namespace
+
+Plot series_panel_of(const Snapshot& sim, const UiState& ui) {
+  Plot plot = whole_series(sim, ui);
+  show_part(ui.zoom_of(series_tab.name), plot);
+  return plot;
+}
+
 Figure panel_figure(const std::string& panel, const Snapshot& sim, const UiState& ui) {
   Plot plot;
+  Figure figure;
   std::string title;
   if (panel == barrier_tab.name) {
-    plot = barrier_panel_of(sim, ui.barrier).plot;
+    const PlotZoom& zoom = ui.zoom_of(panel);
+    plot = barrier_panel_of(sim, ui.barrier, zoom.x, zoom.y).plot;
     title = ui.barrier.energy ? "Contact potential" : "Contact barrier";
     if (ui.barrier.against == kBarrierAbscissas[0].name) {
       plot.series.push_back(contact_strip_series(plot.x.lo, sim.a.params.contact.d_hat,
                                                  sim.a.report.contact_reports, contact_ink));
     }
   } else if (panel == convergence_tab.name) {
-    plot = convergence_panel_of(sim, ui);
+    figure.plots = convergence_panels_of(sim, ui);
+    plot = std::move(figure.plots.back());
+    figure.plots.pop_back();
     title = "Convergence of the step";
   } else {
     plot = series_panel_of(sim, ui);
     title = plot.title.empty() ? "Over time" : plot.title;
   }
-  Figure figure;
   figure.title = std::move(title);
   figure.caption = run_caption(sim.scene->name, sim.a.state->step, sim.a.params, sim.a.kappa, true);
   if (sim.b && panel == series_tab.name) figure.caption += "; B: κ = " + format_value(sim.b->kappa);
-  plot.title.clear();
+  if (figure.plots.empty()) plot.title.clear();
   figure.plots.push_back(std::move(plot));
+  figure.columns = static_cast<int>(figure.plots.size());
   return figure;
 }
 

@@ -18,8 +18,9 @@ inline constexpr std::size_t kMostCurvePoints = 1600;  // that a panel draws of 
 BarrierPanel barrier_panel_of(const Snapshot& sim, const command::BarrierView& view,
                               const std::optional<PlotRange>& x = {}, const std::optional<PlotRange>& y = {});
 
-// Of the view `ui.convergence`. The title says which held curves are left out; empty: none.
-Plot convergence_panel_of(const Snapshot& sim, const UiState& ui);
+// Of the view `ui.convergence`: a plot, or several where energies are of different functions. The title of the first says
+// which held curves are left out; empty: none.
+std::vector<Plot> convergence_panels_of(const Snapshot& sim, const UiState& ui);
 
 // Why there is no curve: iterations are only recorded while the window is open.
 std::string why_no_curve(const StepReport& report, bool on_device);

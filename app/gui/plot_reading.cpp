@@ -14,7 +14,7 @@
 namespace pabd {
 namespace {
 
-constexpr double kPointReach = 18;  // px of an ordinary screen
+constexpr double kPointReach = 18, kHintText = 10.5;  // px of an ordinary screen
 constexpr const char* kLong = "Save…";
 constexpr const char* kShort = "…";  // where the line is full
 constexpr const char* kEndings[] = {".csv", ".svg", ".pdf", ".png"};
@@ -44,6 +44,18 @@ void thin_line(Series& series, std::size_t most) {
   }
   series.x = std::move(out.x);
   series.y = std::move(out.y);
+}
+
+// Without what lies to the left and right of the range, but for the next point on either side.
+void cut_line(Series& series, double lo, double hi) {
+  if (!std::is_sorted(series.x.begin(), series.x.end())) return;
+  auto first = std::lower_bound(series.x.begin(), series.x.end(), lo);
+  auto last = std::upper_bound(series.x.begin(), series.x.end(), hi);
+  if (first != series.x.begin()) --first;
+  if (last != series.x.end()) ++last;
+  const auto from = first - series.x.begin(), to = last - series.x.begin();
+  series.x = {first, last};
+  series.y = {series.y.begin() + from, series.y.begin() + to};
 }
 
 bool is_line(const Series& series) {
@@ -80,8 +92,26 @@ std::string end_that_fits(const std::string& text, float width) {
 void thin_lines(Plot& plot, std::size_t most) {
   most = std::max<std::size_t>(most, 8);
   for (Series& series : plot.series) {
-    if (is_line(series) && series.x.size() > most) thin_line(series, most);
+    if (!is_line(series)) continue;
+    if (plot.x.lo < plot.x.hi && series.x.size() == series.y.size()) cut_line(series, plot.x.lo, plot.x.hi);
+    if (series.x.size() > most) thin_line(series, most);
   }
+}
+
+PlotTouch panel_plot(GuiFrame& f, const char* panel, const Plot& plot, ImVec2 size, bool grips) {
+  const PlotTouch touch = plot_widget(f, panel, plot, size, grips ? PlotHand::grips : PlotHand::zooms);
+  if (touch.zoom) f.out.send(ViewCommand(plot_view(panel, *touch.zoom)));
+  if (!f.ui.zoom_of(panel).any()) return touch;
+  ImFont* font = f.fonts.font(kHintText * f.unit);
+  if (!font) return touch;
+  static constexpr const char* kHint = "a part; double-click: all";
+  const Rect& in = touch.layout.inner;
+  const float width = font->CalcTextSizeA(font->FontSize, FLT_MAX, 0, kHint).x;
+  ImGui::GetWindowDrawList()->AddText(
+      font, font->FontSize,
+      {std::round(static_cast<float>(in.right()) - width - f.px(3)), static_cast<float>(in.y)},
+      packed(f.theme().muted), kHint);
+  return touch;
 }
 
 std::optional<PlotPick> read_point(GuiFrame& f, const Plot& plot, const PlotTouch& touch,
@@ -171,7 +201,9 @@ void export_button(GuiFrame& f, const char* panel, std::string& path) {
     if (path.empty()) path = fmt::format("{}_{}.pdf", f.sim.scene->name, panel);
     ImGui::OpenPopup("export");
   }
-  tooltip("The plot as it is seen, as CSV, SVG, PDF or PNG");
+  tooltip(
+      "The plot as it is seen, as CSV, SVG, PDF or PNG.\n"
+      "On the plot the wheel goes nearer, a right drag moves, a double-click shows all again.");
   if (!ImGui::BeginPopup("export")) return;
   muted_label(f, "plot as a file");
   for (const char* ending : kEndings) {

@@ -13,9 +13,13 @@
 
 namespace pabd {
 
-// Lines of more than `most` points (at least 8) keep the first, lowest, highest and last one of every piece: the same
+// Of lines over an ascending x what the plot's range leaves out goes. Lines of more than `most` points (at least 8) keep the first, lowest, highest and last one of every piece: the same
 // picture, and cheap to draw.
 void thin_lines(Plot& plot, std::size_t most);
+
+// The plot of one of kPlottingPanels, at the cursor: the mouse chooses what part of it is seen (command::PlotView), except
+// where it `grips` something.
+PlotTouch panel_plot(GuiFrame& frame, const char* panel, const Plot& plot, ImVec2 size, bool grips = false);
 
 // A ring around the point nearest to the pointer, and its numbers. `x_name`: "iteration".
 std::optional<PlotPick> read_point(GuiFrame& frame, const Plot& plot, const PlotTouch& touch,

@@ -25,7 +25,7 @@ class SeriesPanel final : public GuiPanel {
     export_button(f, series_tab.name, path_);
     if (own_line) choose(f, 0.5f * (ImGui::GetContentRegionAvail().x - f.px(4)));
     update(f);
-    const PlotTouch touch = plot_widget(f, "series", plot_, ImGui::GetContentRegionAvail());
+    const PlotTouch touch = panel_plot(f, series_tab.name, plot_, ImGui::GetContentRegionAvail());
     if (chosen && f.ui.series_x != "time") {
       go_to_point(f, touch);
       return;
@@ -90,8 +90,10 @@ class SeriesPanel final : public GuiPanel {
 
   void update(const GuiFrame& f) {
     const std::string what = f.ui.series + ' ' + f.ui.series_x + ' ' + f.ui.series_y;
-    if (serial_ == f.sim.serial && what_ == what) return;
+    const PlotZoom& zoom = f.ui.zoom_of(series_tab.name);
+    if (serial_ == f.sim.serial && what_ == what && zoom_ == zoom) return;
     serial_ = f.sim.serial;
+    zoom_ = zoom;
     what_ = what;
     plot_ = series_panel_of(f.sim, f.ui);
     plot_.title.clear();  // the list says it
@@ -113,6 +115,7 @@ class SeriesPanel final : public GuiPanel {
 
   std::uint64_t serial_ = 0;
   std::string what_;
+  PlotZoom zoom_;
   Plot plot_;
   std::vector<std::string> names_;  // of its series, whole
   std::string path_;                // of the last export

@@ -120,6 +120,10 @@ OrderedJson state_document(const Snapshot& sim, const UiState& ui, const GuiLayo
   for (const Slot slot : kSlots) panels.push_back(ui.shown[slot]->name);
   for (const CameraKey& key : ui.camera_keys)
     camera_keys.push_back({{"time", key.time}, {"eye", vec(key.pose.eye)}});
+  OrderedJson plots = OrderedJson::object();
+  for (const Choice& panel : kPlottingPanels) {
+    plots[panel.name] = command_to_json(ViewCommand(plot_view(panel.name, ui.zoom_of(panel.name))));
+  }
   OrderedJson held = OrderedJson::array(), sizes = OrderedJson::object();
   for (std::size_t i = 0; i < kBorderCount; ++i) sizes[kBorders[i].name] = ui.sizes.of[i];
   for (const HeldCurve& h : sim.held) held.push_back(h.name);
@@ -180,6 +184,7 @@ OrderedJson state_document(const Snapshot& sim, const UiState& ui, const GuiLayo
             {"series_x", ui.series_x},
             {"series_y", ui.series_y},
             {"difference", ui.difference},
+            {"plots", std::move(plots)},
             {"barrier", command_to_json(ViewCommand(ui.barrier))},
             {"dialog", ui.dialog},
             {"dialog_text", ui.dialog_text},

@@ -13,6 +13,7 @@
 #include "app/gui/opened_sweep.h"
 #include "app/gui/view_command.h"
 #include "app/overlay/body_colors.h"
+#include "app/plots/plot_zoom.h"
 #include "app/session/trails.h"
 #include "render/visual/camera_path.h"
 #include "render/visual/framing.h"
@@ -73,6 +74,7 @@ struct UiState {
   bool side_by_side = false;  // of A and B; else B is a ghost
 
   command::BarrierView barrier;
+  std::array<PlotZoom, std::size(kPlottingPanels)> zoom;  // see zoom_of
   std::string convergence = "all", series = "overview", difference = "distance";
   std::string series_x = "time", series_y = "kinetic";  // of the series "chosen"
 
@@ -91,9 +93,19 @@ struct UiState {
     std::rotate(front.begin(), place, place + 1);
   }
 
+  // The part of the plot of one of kPlottingPanels that is seen.
+  const PlotZoom& zoom_of(std::string_view panel) const { return zoom[place_in(kPlottingPanels, panel)]; }
   bool shows(const WindowPanel& panel) const {
     return !hidden && open[panel.slot] && shown[panel.slot] == &panel;
   }
 };
+
+// The command for that part of a panel's plot.
+inline command::PlotView plot_view(const char* panel, const PlotZoom& zoom) {
+  const auto ends = [](const std::optional<PlotRange>& range) {
+    return range ? std::vector<double>{range->lo, range->hi} : std::vector<double>();
+  };
+  return {panel, ends(zoom.x), ends(zoom.y), ends(zoom.right)};
+}
 
 }  // namespace pabd

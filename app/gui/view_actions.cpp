@@ -151,9 +151,22 @@ struct Actor {
           ui.camera.target + (side ? kStepBack : 1 / kStepBack) * (ui.camera.eye - ui.camera.target);
     ui.side_by_side = side;
   }
-  void operator()(const command::BarrierView& c) const { ui.barrier = c; }
-  void operator()(const command::ConvergenceView& c) const { ui.convergence = c.choice; }
+  void operator()(const command::BarrierView& c) const {
+    const command::BarrierView& now = ui.barrier;
+    if (c.quantity != now.quantity || c.against != now.against || c.log != now.log || c.energy != now.energy)
+      whole(barrier_tab.name);
+    ui.barrier = c;
+  }
+  void operator()(const command::ConvergenceView& c) const {
+    if (c.choice != ui.convergence) whole(convergence_tab.name);
+    ui.convergence = c.choice;
+  }
+  void operator()(const command::PlotView& c) const {
+    PlotZoom& zoom = ui.zoom[place_in(kPlottingPanels, c.panel)];
+    zoom = {ends(c.x, "x"), ends(c.y, "y"), ends(c.right, "right")};
+  }
   void operator()(const command::SeriesView& c) const {
+    if (c.quantity != ui.series || c.x != ui.series_x || c.y != ui.series_y) whole(series_tab.name);
     ui.series = c.quantity;
     ui.series_x = c.x;
     ui.series_y = c.y;
@@ -201,6 +214,17 @@ struct Actor {
   // The others need more than the state.
   template <class C>
   void operator()(const C&) const {}
+
+  // Other quantities have other ranges.
+  void whole(const char* panel) const { ui.zoom[place_in(kPlottingPanels, panel)] = {}; }
+
+  static std::optional<PlotRange> ends(const std::vector<double>& v, const char* what) {
+    if (v.empty()) return std::nullopt;
+    if (v.size() != 2 || !std::isfinite(v[0]) || !std::isfinite(v[1]) || !(v[0] < v[1]))
+      throw Error(ErrorKind::bad_input,
+                  fmt::format("plot_view: \"{}\": expected two numbers, the lower one first", what));
+    return PlotRange{v[0], v[1]};
+  }
 
   // What is there now; with `ahead` also where the scene's bodies go from its start on.
   std::shared_ptr<const std::vector<Spot>> everything(bool ahead) const {

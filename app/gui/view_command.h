@@ -166,6 +166,19 @@ struct SeriesView {
 };
 // What of B − A is plotted.
 using DifferenceView = Pick<"difference_view", "quantity", kDifferenceViews, R"("energies")">;
+// The part of a panel's plot that is seen.
+struct PlotView {
+  static constexpr const char* name = "plot_view";
+  std::string panel;
+  std::vector<double> x, y, right;
+  void fields(auto&& f) {
+    static constexpr const char* kEnds = "[lowest, highest] in the unit of that axis; without: the whole";
+    f(need("panel", kPlottingPanels, R"("series")"), panel);
+    f(may("x", kEnds, "[0, 0.5]"), x);
+    f(may("y", kEnds, "[0.001, 1]"), y);
+    f(may("right", kEnds, "[0, 1]"), right);
+  }
+};
 // A PNG of the window, or of the scene alone.
 struct Screenshot {
   static constexpr const char* name = "screenshot";
@@ -312,9 +325,10 @@ using ViewCommand =
                  command::Follow, command::FrameSelection, command::Select, command::Join, command::ColorBy,
                  command::ContactsBy, command::Show, command::Background, command::Trail,
                  command::CompareView, command::BarrierView, command::ConvergenceView, command::SeriesView,
-                 command::DifferenceView, command::Screenshot, command::ExportPlot, command::Record,
-                 command::StopRecord, command::AddCameraKey, command::DropCameraKey, command::ClearCameraKeys,
-                 command::Fly, command::SaveCamera, command::LoadCamera, command::Costs, command::OpenSweep,
-                 command::SweepView, command::LoadRun, command::Ask, command::CopyCommand, command::Quit>;
+                 command::DifferenceView, command::PlotView, command::Screenshot, command::ExportPlot,
+                 command::Record, command::StopRecord, command::AddCameraKey, command::DropCameraKey,
+                 command::ClearCameraKeys, command::Fly, command::SaveCamera,
+                 command::LoadCamera, command::Costs, command::OpenSweep, command::SweepView,
+                 command::LoadRun, command::Ask, command::CopyCommand, command::Quit>;
 
 }  // namespace pabd

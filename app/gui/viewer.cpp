@@ -264,6 +264,7 @@ struct Viewer::Impl {
     ui.selection = {};
     ui.follow.reset();
     ui.trails.clear();
+    ui.zoom = {};
     ui.joining.reset();
     remember_scene(sim->scene_path, ui.recent);
     scenes_shown = false;  // another folder, perhaps

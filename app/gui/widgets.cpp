@@ -2,6 +2,8 @@
 // See widgets.h.
 #include "app/gui/widgets.h"
 
+#include <imgui_internal.h>
+
 #include <algorithm>
 #include <cmath>
 #include <cstring>
@@ -193,14 +195,49 @@ bool toggle_button(const GuiFrame& frame, const std::string& text, bool on, cons
   return pressed;
 }
 
-PlotTouch plot_widget(GuiFrame& frame, const char* id, const Plot& plot, ImVec2 size) {
+namespace {
+
+constexpr double kPlotNotch = 1.15;  // nearer a notch of the wheel, as in the picture
+
+bool double_clicked() {
+  for (const int button : {ImGuiMouseButton_Left, ImGuiMouseButton_Right, ImGuiMouseButton_Middle})
+    if (ImGui::IsMouseDoubleClicked(button)) return true;
+  return false;
+}
+
+// `moves`: the drag under way moves what is seen.
+std::optional<PlotZoom> asked_part(const Plot& plot, const PlotTouch& touch, PlotHand hand, bool moves) {
+  const ImGuiIO& io = ImGui::GetIO();
+  const double notches = static_cast<double>(io.MouseWheel);
+  if (touch.hovered && hand == PlotHand::zooms && double_clicked()) return PlotZoom{};
+  if (moves && (io.MouseDelta.x != 0 || io.MouseDelta.y != 0))
+    return panned(plot, touch.layout, static_cast<double>(io.MouseDelta.x),
+                  static_cast<double>(io.MouseDelta.y));
+  if (touch.hovered && !touch.held && notches != 0)
+    return zoomed(plot, touch.layout, touch.mouse, std::pow(kPlotNotch, notches));
+  return std::nullopt;
+}
+
+}  // namespace
+
+PlotTouch plot_widget(GuiFrame& frame, const char* id, const Plot& plot, ImVec2 size, PlotHand hand) {
   PlotTouch touch;
   const ImVec2 at = ImGui::GetCursorScreenPos();
   size = {std::max(size.x, frame.px(40)), std::max(size.y, frame.px(40))};
-  ImGui::InvisibleButton(id, size);
+  bool* moves = ImGui::GetStateStorage()->GetBoolRef(ImGui::GetID(id) + 1);
+  ImGui::InvisibleButton(id, size,
+                         hand == PlotHand::none
+                             ? ImGuiButtonFlags_None
+                             : ImGuiButtonFlags_MouseButtonLeft | ImGuiButtonFlags_MouseButtonRight |
+                                   ImGuiButtonFlags_MouseButtonMiddle);
+  if (hand != PlotHand::none) ImGui::SetItemUsingMouseWheel();
   touch.hovered = ImGui::IsItemHovered();
-  touch.pressed = ImGui::IsItemActivated();
-  touch.held = ImGui::IsItemActive();
+  if (ImGui::IsItemActivated())
+    *moves = hand != PlotHand::none && (!ImGui::IsMouseClicked(ImGuiMouseButton_Left) ||
+                                        (ImGui::GetIO().KeyShift && hand != PlotHand::grips));
+  touch.pressed = ImGui::IsItemActivated() && !*moves;
+  touch.held = ImGui::IsItemActive() && !*moves;
+  const bool moving = ImGui::IsItemActive() && *moves;
   const ImVec2 mouse = ImGui::GetMousePos();
   touch.mouse = {static_cast<double>(mouse.x), static_cast<double>(mouse.y)};
 
@@ -212,6 +249,7 @@ PlotTouch plot_widget(GuiFrame& frame, const char* id, const Plot& plot, ImVec2 
                              style, frame.metrics);
   ImGuiCanvas canvas(frame.metrics, frame.fonts, *ImGui::GetWindowDrawList());
   paint_plot(plot, touch.layout, style, canvas);
+  if (hand != PlotHand::none && !touch.layout.empty) touch.zoom = asked_part(plot, touch, hand, moving);
   return touch;
 }
 

@@ -6,7 +6,7 @@
 #include <string>
 
 #include "app/gui/panel.h"
-#include "app/plots/plot_layout.h"
+#include "app/plots/plot_zoom.h"
 
 namespace pabd {
 
@@ -45,10 +45,15 @@ bool toggle_button(const GuiFrame& frame, const std::string& text, bool on, cons
 // What the mouse does on a plot.
 struct PlotTouch {
   PlotLayout layout;
-  bool hovered = false, pressed = false, held = false;
-  Point mouse;  // pixels; layout.unmap gives data
+  bool hovered = false, pressed = false, held = false;  // by the left button
+  Point mouse;                                          // pixels; layout.unmap gives data
+  std::optional<PlotZoom>
+      zoom;  // what it asks for: the wheel, a drag with another button or with shift, a double-click
 };
+// What it may do to the axes; with `grips` the left button takes hold of something.
+enum class PlotHand : std::uint8_t { none, zooms, grips };
 // A plot of that size (pixels) at the cursor; `id` is unique in the panel.
-PlotTouch plot_widget(GuiFrame& frame, const char* id, const Plot& plot, ImVec2 size);
+PlotTouch plot_widget(GuiFrame& frame, const char* id, const Plot& plot, ImVec2 size,
+                      PlotHand hand = PlotHand::none);
 
 }  // namespace pabd

@@ -42,7 +42,7 @@ void linear_ticks(AxisScale& axis, int max_major, bool integer) {
   const double span = axis.hi - axis.lo;
   double step = nice_step(span, max_major, integer);
   // One label says nothing about the scale: rather a crowded axis.
-  for (int more = max_major + 1; more <= 4 && std::floor(axis.hi / step) - std::ceil(axis.lo / step) < 1;
+  for (int more = max_major + 1; more <= 6 && std::floor(axis.hi / step) - std::ceil(axis.lo / step) < 1;
        ++more) {
     step = nice_step(span, more, integer);
   }

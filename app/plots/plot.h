@@ -119,6 +119,7 @@ inline constexpr const char* kBeforeSteps = "begins with the first step";
 
 struct PlotRange {
   double lo, hi;
+  bool operator==(const PlotRange&) const = default;
 };
 
 // Plots side by side (columns) under one title: a figure.

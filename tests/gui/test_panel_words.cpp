@@ -25,9 +25,9 @@ TEST_CASE("the overview of convergence tells of curves that are held and not sho
   sim.a.model = std::make_shared<Model>();
   UiState ui;
   ui.convergence = "all";
-  CHECK(convergence_panel_of(sim, ui).title.empty());
+  CHECK(convergence_panels_of(sim, ui).front().title.empty());
   sim.held.resize(2);
-  CHECK(convergence_panel_of(sim, ui).title == "2 held curves not shown: choose one quantity");
+  CHECK(convergence_panels_of(sim, ui).front().title == "2 held curves not shown: choose one quantity");
 }
 
 }  // namespace pabd::test_panel_words
