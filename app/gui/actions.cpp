@@ -176,6 +176,8 @@ const std::vector<UserAction>& user_actions() {
         {"quit", "Files", "ctrl+q", "leave", sends(command::Quit{})}};
     add_rows(out);
     const UserAction more[] = {
+        {"along", "View", "", "the camera goes along by itself, or stands still",
+         toggles<command::Along>([](const UiState& ui) { return ui.along; })},
         {"fastest", "Time", "", "play as fast as it goes", sends(command::Speed{0})},
         {"fly", "View", "", "fly along the camera keys, or stop",
          toggles<command::Fly>([](const UiState& ui) { return ui.fly; })},

@@ -48,7 +48,7 @@ void CameraMotion::follow(const State& state, UiState& ui) {
   followed_at_ = at;
 }
 
-void CameraMotion::move(const Snapshot& sim, UiState& ui) {
+void CameraMotion::move(const Snapshot& sim, const Viewport& port, UiState& ui) {
   if (!sim.a.poses) follow(*sim.a.state, ui);
   if (trails_.points() != ui.trails || scene_ != sim.scene_serial)
     trails_ = TrailRecorder(ui.trails, kTrailTime);
@@ -60,6 +60,7 @@ void CameraMotion::move(const Snapshot& sim, UiState& ui) {
   shown_ = time;
   if (ui.fly && !ui.camera_keys.empty() && time != flown_to_) ui.camera = camera_at(ui.camera_keys, time);
   flown_to_ = ui.fly ? time : -1;
+  along_.move(sim, port, ui);
 }
 
 }  // namespace pabd

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "app/gui/going_along.h"
 #include "app/gui/ui_state.h"
 #include "app/workbench/snapshot.h"
 
@@ -24,8 +25,9 @@ std::string camera_words(const FollowedView& view, const Model& model, const Sta
 
 class CameraMotion {
  public:
-  // Once a frame. The camera moves with the body that it follows; while time goes on it flies along its keys.
-  void move(const Snapshot& sim, UiState& ui);
+  // Once a frame. The camera moves with the body that it follows; while time goes on it flies along its keys, or goes
+  // along by itself.
+  void move(const Snapshot& sim, const Viewport& port, UiState& ui);
   // The trails of ui.trails, as far as they were recorded: broken where the run jumped.
   std::vector<Trail> trails() const { return trails_.trails(); }
 
@@ -39,6 +41,7 @@ class CameraMotion {
   std::uint64_t jumps_ = 0;          // that the trails know of
   double shown_ = 0;                 // s: time of the latest state that they have
   TrailRecorder trails_;
+  GoingAlong along_;
 };
 
 }  // namespace pabd

@@ -115,9 +115,17 @@ void look_as_scene(const Scene& scene, const Viewport& port, UiState& ui) {
 }
 
 void frame_ahead(const std::shared_ptr<const Scene>& scene, const Viewport& port, UiState& ui) {
-  ui.scene_spots =
-      std::make_shared<const std::vector<Spot>>(look_ahead(scene, look_ahead_time(*scene)).all());
+  const Outlook outlook = look_ahead(scene, look_ahead_time(*scene));
+  ui.scene_spots = std::make_shared<const std::vector<Spot>>(outlook.all());
   look_as_scene(*scene, port, ui);
+  if (!ui.along || ui.camera.orthographic) return;
+  // As renders begin, where the camera is to go along.
+  const double aspect = port.width / port.height;
+  const EasedCamera eased = frame_view({}, rounded(ui.camera), outlook, aspect, {});
+  if (eased.is_still()) return;
+  const Camera camera = eased.at(outlook.start_time);
+  ui.camera = precise(camera);
+  ui.framed = Framed{std::make_shared<const std::vector<Spot>>(outlook.start), camera, aspect, true};
 }
 
 }  // namespace pabd

@@ -64,6 +64,7 @@ std::string settings_json(const Settings& settings) {
                             {"sizes", ui.sizes.of},
                             {"contacts", ui.contacts},
                             {"bonds", ui.bonds},
+                            {"along", ui.along},
                             {"color", kColors[static_cast<std::size_t>(ui.color)].name},
                             {"width", side(settings.width)},
                             {"height", side(settings.height)},
@@ -84,8 +85,10 @@ Settings parse_settings(const std::string& text, const std::string& source) {
   if (!json.contains("version") || json["version"] != 1) refuse(source, "/version", "1");
   Settings out;
   UiState& ui = out.ui;
-  for (const auto& [field, value] :
-       {std::pair<const char*, bool*>{"dark", &ui.dark}, {"contacts", &ui.contacts}, {"bonds", &ui.bonds}})
+  for (const auto& [field, value] : {std::pair<const char*, bool*>{"dark", &ui.dark},
+                                     {"contacts", &ui.contacts},
+                                     {"bonds", &ui.bonds},
+                                     {"along", &ui.along}})
     read(json, field, json.contains(field) && json[field].is_boolean(), source, "true or false", *value);
   const bool scale =
       json.contains("scale") && json["scale"].is_number() && json["scale"] >= 0.5 && json["scale"] <= 4.0;

@@ -166,6 +166,7 @@ OrderedJson state_document(const Snapshot& sim, const UiState& ui, const GuiLayo
             {"camera_keys", std::move(camera_keys)},
             {"keys_unsaved", ui.keys_unsaved},
             {"fly", ui.fly},
+            {"along", ui.along},
             {"costs", ui.costs},
             {"contacts", ui.contacts},
             {"bonds", ui.bonds},

@@ -38,6 +38,7 @@ struct Framed {
   std::shared_ptr<const std::vector<Spot>> spots;
   Camera camera;      // as it was fitted
   double aspect = 0;  // of the picture
+  bool near = false;  // so near that the camera has to go along
 };
 
 // A joint that waits for its second body.
@@ -63,6 +64,7 @@ struct UiState {
   std::vector<CameraKey> camera_keys;                    // in order of time
   bool keys_unsaved = false;  // they were set or removed since they were saved or loaded
   bool fly = false;
+  bool along = true;  // the camera goes along by itself until a person moves it (going_along.h)
   bool contacts = true, bonds = true;
   PictureMarks marks;
   const PictureTheme* theme = &kStudioTheme;  // of the picture; never null

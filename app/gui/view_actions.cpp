@@ -210,6 +210,7 @@ struct Actor {
     ui.keys_unsaved = false;
   }
   void operator()(const command::Fly& c) const { ui.fly = c.on; }
+  void operator()(const command::Along& c) const { ui.along = c.on; }
   void operator()(const command::Costs& c) const { ui.costs = c.on; }
   // The others need more than the state.
   template <class C>

@@ -250,7 +250,8 @@ struct DropCameraKey {
   void fields(auto&& f) { f(need("index", "number from 0, in order of time", "0"), index); }
 };
 using ClearCameraKeys = Plain<"clear_camera_keys">;
-using Fly = Switch<"fly">;  // the camera follows its keys while time goes on
+using Fly = Switch<"fly">;      // the camera follows its keys while time goes on
+using Along = Switch<"along">;  // while time goes on the camera goes along by itself, until a person moves it
 // Camera keys as a file, which `pabd render --camera` takes.
 struct SaveCamera {
   static constexpr const char* name = "save_camera";
@@ -327,7 +328,7 @@ using ViewCommand =
                  command::CompareView, command::BarrierView, command::ConvergenceView, command::SeriesView,
                  command::DifferenceView, command::PlotView, command::Screenshot, command::ExportPlot,
                  command::Record, command::StopRecord, command::AddCameraKey, command::DropCameraKey,
-                 command::ClearCameraKeys, command::Fly, command::SaveCamera,
+                 command::ClearCameraKeys, command::Fly, command::Along, command::SaveCamera,
                  command::LoadCamera, command::Costs, command::OpenSweep, command::SweepView,
                  command::LoadRun, command::Ask, command::CopyCommand, command::Quit>;
 

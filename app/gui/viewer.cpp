@@ -297,7 +297,7 @@ struct Viewer::Impl {
     list_scenes();
     read_sweep();
     reframe(port(), ui);
-    motion.move(*sim, ui);
+    motion.move(*sim, port(), ui);
     restyle();
     ImGuiIO& io = ImGui::GetIO();
     io.DisplaySize = {static_cast<float>(width), static_cast<float>(height)};

@@ -18,7 +18,7 @@ struct Window {
   CameraMotion motion;
 
   Window() { ui.trails = {{"pen", Vec3::Zero()}}; }
-  void show() { motion.move(bench.snapshot(), ui); }
+  void show() { motion.move(bench.snapshot(), {1280, 720}, ui); }
   void apply(const Command& command) {
     bench.apply(command);
     show();
