@@ -23,17 +23,36 @@ namespace {
 constexpr std::size_t kMostCorners = 200;  // a hull that contacts can afford; a scene takes 256
 constexpr double kConcave = 0.9;           // a mesh that fills less of its hull is worth a note
 
+// Points coordinate by coordinate: hundreds of directions are looked along, and a mesh has 100,000 points.
+class PointRows {
+ public:
+  explicit PointRows(const std::vector<Vec3>& points) {
+    const Eigen::Map<const Eigen::Matrix3Xd> all(points.front().data(), 3,
+                                                 static_cast<Eigen::Index>(points.size()));
+    for (int k = 0; k < 3; ++k) rows_[static_cast<std::size_t>(k)] = all.row(k);
+  }
+  // How far the farthest one is along u, and its number.
+  double reach(const Vec3& u, Eigen::Index* which = nullptr) {
+    along_ = u.x() * rows_[0] + u.y() * rows_[1] + u.z() * rows_[2];
+    return which ? along_.maxCoeff(which) : along_.maxCoeff();
+  }
+
+ private:
+  std::array<Eigen::ArrayXd, 3> rows_;
+  Eigen::ArrayXd along_;
+};
+
 // The farthest points in directions spread evenly over the sphere (a spiral of the golden angle).
 std::vector<Vec3> farthest_points(const std::vector<Vec3>& points) {
+  PointRows rows(points);
   std::vector<std::size_t> chosen;
   for (std::size_t k = 0; k < kMostCorners; ++k) {
     const double z = 1 - (2 * static_cast<double>(k) + 1) / kMostCorners;
     const double turn = static_cast<double>(k) * kPi * (3 - std::sqrt(5.0)), r = std::sqrt(1 - z * z);
     const Vec3 u(r * std::cos(turn), r * std::sin(turn), z);
-    std::size_t best = 0;
-    for (std::size_t p = 1; p < points.size(); ++p)
-      if (u.dot(points[p]) > u.dot(points[best])) best = p;
-    chosen.push_back(best);
+    Eigen::Index best = 0;
+    rows.reach(u, &best);
+    chosen.push_back(static_cast<std::size_t>(best));
   }
   std::sort(chosen.begin(), chosen.end());
   chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
@@ -104,10 +123,10 @@ RobotMesh robot_mesh(const std::vector<Vec3>& points,
   }
   const HullData& data = *hull.hull;
   for (const Vec3& corner : data.vertices) out.corners.push_back(corner + data.centroid);
-  for (const HullFace& face : data.faces) {
-    const double reach = face.offset + face.normal.dot(data.centroid);
-    for (const Vec3& point : points) out.missing = std::max(out.missing, face.normal.dot(point) - reach);
-  }
+  PointRows rows(points);
+  for (const HullFace& face : data.faces)
+    out.missing =
+        std::max(out.missing, rows.reach(face.normal) - face.offset - face.normal.dot(data.centroid));
   if (out.missing < 1e-4 * data.bounding_radius) out.missing = 0;  // what a hull flattens anyhow
   out.solid = {data.volume, data.centroid, inertia_tensor(data.second_moment)};
   if (!faces.empty()) {
