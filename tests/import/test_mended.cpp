@@ -119,14 +119,19 @@ TEST_CASE("settotalmass is the mass of all bodies, in the proportions of the fil
   CHECK(inertia_tensor(scene.model.J[1])(0, 0) == Approx(part));
 }
 
-TEST_CASE("gravcomp takes its part of the weight", "[import]") {
-  const std::string text =
-      "<mujoco><worldbody><body name='a' gravcomp='0.75'><freejoint/><geom "
-      "size='.1'/></body></worldbody></mujoco>";
-  ImportedRun run(import_robot_text(text, "m.xml", {}).text, {"time_step=0.001", "solver.integrator=euler"});
-  run.run(0.5);
+TEST_CASE("gravcomp takes its part of the weight of its own body", "[import]") {
+  const auto fallen = [](const std::string& inside) {
+    const std::string text = "<mujoco><worldbody><body gravcomp='0.75'><freejoint/><geom size='.1'/>" +
+                             inside + "</body></worldbody></mujoco>";
+    ImportedRun run(import_robot_text(text, "m.xml", {}).text,
+                    {"time_step=0.001", "solver.integrator=euler"});
+    run.run(0.5);
+    return -run.state.c[0].y();
+  };
   // By Euler velocity first: y = −a h² n (n + 1)/2.
-  CHECK(run.state.c[0].y() == Approx(-0.25 * 9.81 * 1e-6 * 500 * 501 / 2).epsilon(1e-9));
+  const double free = 9.81 * 1e-6 * 500 * 501 / 2;
+  CHECK(fallen("") == Approx(0.25 * free).epsilon(1e-9));
+  CHECK(fallen("<body><geom size='.1'/></body>") == Approx((1 - 0.75 / 2) * free).epsilon(1e-9));
 }
 
 TEST_CASE("replicate makes copies, each turned and moved from the one before", "[import]") {
