@@ -179,7 +179,7 @@ TEST_CASE("a number is read with a unit that fits, as an option and with --set")
   const auto hash = [](const std::string& time, const std::string& step) {
     const Outcome outcome = run_pabd({"run", "two_boxes", "--time", time, "--set", "time_step=" + step});
     CHECK(outcome.exit_code == 0);
-    return outcome.out.substr(outcome.out.find("state "));
+    return outcome.err.substr(outcome.err.find("state "), 22);
   };
   CHECK(hash("50ms", "5 ms") == hash("0.05", "0.005"));
   CHECK(hash("50ms", "5 ms") != hash("0.05", "0.01"));
