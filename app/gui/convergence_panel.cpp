@@ -13,7 +13,7 @@
 namespace pabd {
 namespace {
 
-constexpr double kLeastPlot = 90;  // of a plot among several, px of an ordinary screen
+constexpr double kLeastOfSeveral = 90;  // of a plot among several, px of an ordinary screen
 constexpr const char* kMethods[] = {"sissm", "descent", "newton"};
 
 class ConvergencePanel final : public GuiPanel {
@@ -97,7 +97,8 @@ class ConvergencePanel final : public GuiPanel {
   void draw_plots(GuiFrame& f) const {
     const ImVec2 room = ImGui::GetContentRegionAvail();
     const float gap = ImGui::GetStyle().ItemSpacing.y;
-    const auto most = static_cast<std::size_t>(std::max(1.0f, (room.y + gap) / (f.px(kLeastPlot) + gap)));
+    const auto most =
+        static_cast<std::size_t>(std::max(1.0f, (room.y + gap) / (f.px(kLeastOfSeveral) + gap)));
     const std::size_t count = std::min(plots_.size(), most);
     const auto parts = static_cast<float>(count);
     const ImVec2 size(room.x, (room.y - (parts - 1) * gap) / parts);
