@@ -172,7 +172,7 @@ struct Viewer::Impl {
     }
   }
 
-  bool warms() const { return !options.steady && !warm.done() && !sim->playing; }
+  bool warms() const { return shown_once && !options.steady && !warm.done() && !sim->playing; }
   bool takes_states() const {
     return pabd::takes_states(*sim, ui) || studio.busy() || !device.can_draw(sim->a);
   }
@@ -342,7 +342,7 @@ struct Viewer::Impl {
       live.took(plan,
                 sim->a.poses ? 0 : 1000 * (between - before + std::max(0.0, composing - plain_composing)));
     // After the first picture at rest is there.
-    if (warms() && !drawn && shown_once && hand == Hand::there && input.empty()) warm.draw(renderer);
+    if (warms() && !drawn && hand == Hand::there && input.empty()) warm.draw(renderer);
     shown_once = true;
     if (hand == Hand::there) studio.work(*sim, ui, width, height, renderer);
     costs.done(FrameCosts::compose);
