@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "app/frames/runs_painter.h"
 #include "app/frames/frame_source.h"
+#include "app/frames/runs_painter.h"
 #include "app/gui/ui_state.h"
 #include "app/workbench/runner.h"
 #include "render/gl/renderer.h"
