@@ -162,7 +162,7 @@ int render(const RenderOptions& asked) {
   const StepOptions wanted{.record_iterations = overlay.needs_iterations(),
                            .report_contacts = overlay.needs_contacts(),
                            .report_bodies = overlay.needs_bodies()};
-  arrangement.ahead = a.shared_scene();
+  arrangement.plain = a.shared_scene();
   std::vector<Run> runs = open_runs(asked_runs, std::move(a), inputs);
   std::vector<std::shared_ptr<const Scene>> scenes;
   std::vector<FrameView> views;

@@ -16,6 +16,7 @@ namespace {
 
 constexpr int kSeam = 2;                 // px between pictures, white
 constexpr int kLeastCell = 16;           // px
+constexpr double kSeenToo = 2;           // of the radius of what a run shows: another one's is seen with it
 constexpr std::size_t kMostDetails = 6;  // lines of a caption
 
 std::string law_words(const BondLaw& law) {
@@ -66,6 +67,31 @@ Outlook outlook_of(const std::shared_ptr<const Scene>& scene, const FrameView& f
                     bodies_to_fit(camera, *start.model));
 }
 
+// Of each run of a grid. Those with as many bodies are seen from one place: it shows all of the run that they are variants
+// of, and of the others what is not too far from it.
+std::vector<Outlook> outlooks_of(const std::vector<std::shared_ptr<const Scene>>& scenes, const Frame& first,
+                                 const std::shared_ptr<const Scene>& plain, const CameraOption& camera,
+                                 double seconds) {
+  const auto bodies = [](const Model& model) { return model.shape.size(); };
+  const std::size_t usual = bodies(*first.a().model);
+  Outlook shared = outlook_of(bodies(plain->model) == usual ? plain : scenes[0], first.a(), camera, seconds);
+  const auto reach = [&](const Spot& spot) {
+    return (spot.centre - shared.start_middle).norm() + spot.radius;
+  };
+  double radius = 0;
+  for (const Spot& spot : shared.all()) radius = std::max(radius, reach(spot));
+  std::vector<Outlook> out;
+  for (std::size_t run = 0; run < first.runs.size(); ++run) {
+    out.push_back(outlook_of(scenes[run], first.runs[run], camera, seconds));
+    if (bodies(scenes[run]->model) != usual) continue;
+    for (const Spot& spot : out.back().all())
+      if (reach(spot) <= kSeenToo * radius) shared.start.push_back(spot);
+  }
+  for (std::size_t run = 0; run < out.size(); ++run)
+    if (bodies(scenes[run]->model) == usual) out[run] = shared;
+  return out;
+}
+
 }  // namespace
 
 AbView parse_ab_view(const std::string& text) {
@@ -79,9 +105,10 @@ RunsPainter::RunsPainter(GlContext& context, const std::vector<std::shared_ptr<c
                          const OverlayChoice& overlay, const CameraOption& camera, double seconds)
     : width_(width), height_(height) {
   const auto scene_of = [&](std::size_t run) { return scenes[run < scenes.size() ? run : 0]; };
-  const bool others =
-      arrangement.ahead && arrangement.ahead->model.shape.size() == first.a().model->shape.size();
-  const Outlook shared = outlook_of(others ? arrangement.ahead : scene_of(0), first.a(), camera, seconds);
+  const RunGrid& grid = arrangement.grid;
+  const std::vector<Outlook> outlooks =
+      grid.empty() ? std::vector(first.runs.size(), outlook_of(scene_of(0), first.a(), camera, seconds))
+                   : outlooks_of(scenes, first, arrangement.plain, camera, seconds);
   const auto add = [&](std::size_t run, int columns, int rows, const Comparison& comparison) {
     const int column = static_cast<int>(run) % columns, row = static_cast<int>(run) / columns;
     const int left = begin_of(column, columns, width), top = begin_of(row, rows, height);
@@ -93,15 +120,11 @@ RunsPainter::RunsPainter(GlContext& context, const std::vector<std::shared_ptr<c
                               "for each",
                               width, height, columns, rows, kLeastCell));
     }
-    const FrameView& view = first.runs[run];
-    const bool same = view.model->shape.size() == first.a().model->shape.size();
-    cells_.push_back(
-        {std::make_unique<FramePainter>(context, scene_of(run), first, run,
-                                        same ? shared : outlook_of(scene_of(run), view, camera, seconds), w,
-                                        h, overlay, camera, seconds, comparison),
-         left, top});
+    cells_.push_back({std::make_unique<FramePainter>(context, scene_of(run), first, run, outlooks[run], w, h,
+                                                     overlay, camera, seconds, comparison),
+                      left, top});
   };
-  if (const RunGrid& grid = arrangement.grid; !grid.empty()) {
+  if (!grid.empty()) {
     const int columns = grid.columns(width, height), cells = static_cast<int>(grid.size());
     for (std::size_t run = 0; run < grid.size(); ++run)
       add(run, columns, (cells + columns - 1) / columns,

@@ -21,9 +21,10 @@ AbView parse_ab_view(const std::string& text);  // throws Error(bad_input)
 // Of runs that are more than one.
 struct Arrangement {
   AbView view = AbView::side;
-  RunGrid grid = RunGrid({});  // not empty: frames have a run for each of its cells
-  // With the parameters with which it is found where bodies go; null: the first run's.
-  std::shared_ptr<const Scene> ahead = {};
+  RunGrid grid =
+      RunGrid({});  // not empty: frames have a run for each of its cells, and `scenes` one for each
+  // The scene that those of the grid are variants of.
+  std::shared_ptr<const Scene> plain = {};
 };
 
 class RunsPainter {

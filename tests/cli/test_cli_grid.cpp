@@ -65,6 +65,28 @@ TEST_CASE("a cell of a grid is the picture of the run with its settings") {
   CHECK(nlohmann::json::parse(text.at("Parameters"))["contact"]["N"] == 1);
 }
 
+TEST_CASE(
+    "all cells are seen from one place, from where bodies are seen that go farther than in the scene as it "
+    "is") {
+  const CommandFolder folder;
+  // With a sixth of the weight the upper box bounces out of what the others need.
+  REQUIRE(run_pabd({"render", "two_boxes", "--size", "322x182", "--time", "2", "--grid",
+                    "gravity=[0,-9.81,0],[0,-1.62,0]", "contact.d_hat=1cm,5cm", "-o", folder / "grid.png"})
+              .exit_code == 0);
+  const Image grid = read_png(folder / "grid.png");
+  std::vector<int> blue(4);  // pixels of that box
+  for (int y = 0; y < grid.height; ++y) {
+    for (int x = 0; x < grid.width; ++x) {
+      const std::uint8_t* pixel = &grid.rgb[static_cast<std::size_t>(3 * (y * grid.width + x))];
+      if (pixel[2] > pixel[0] + 35) ++blue[static_cast<std::size_t>(2 * (y / 91) + x / 161)];
+    }
+  }
+  for (const int pixels : blue) {
+    CHECK(pixels > 100);
+    CHECK(pixels > 0.75 * blue[0]);
+  }
+}
+
 TEST_CASE("colours have one range over a grid, and a sequence goes on byte for byte") {
   const CommandFolder folder;
   const std::vector<std::string> options = {
