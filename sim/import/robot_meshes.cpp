@@ -220,8 +220,9 @@ fs::path RobotMeshes::find(const std::string& name, const fs::path& folder, std:
   if (rest.starts_with(kFile)) return fs::path(rest.substr(kFile.size()));
   if (!rest.starts_with(kPackage) && !rest.starts_with(kModel)) return folder / name;
   rest.remove_prefix(rest.starts_with(kPackage) ? kPackage.size() : kModel.size());
+  rest.remove_prefix(std::min(rest.find_first_not_of('/'), rest.size()));  // some write package:///
   const fs::path path(rest);
-  if (path.is_absolute() || climbs(path) || path.empty()) {
+  if (climbs(path) || path.empty()) {
     problem = fmt::format("{} leads out of its package", in_quotes(name));
     return {};
   }

@@ -166,12 +166,12 @@ TEST_CASE("a package is looked for only where files may be read", "[import]") {
   const TempFolder around;
   const std::filesystem::path root = around / "root";
   std::filesystem::create_directories(root / "p");
-  const auto robot = [&](const std::string& mesh) {
+  const auto robot = [&](const std::string& mesh, const std::string& package = "package://p/") {
     const std::string text =
         "<robot name='r'><link name='b'><inertial><mass value='1'/><inertia ixx='1' iyy='1' "
         "izz='1'/></inertial>"
-        "<collision><geometry><mesh filename='package://p/" +
-        mesh + "'/></geometry></collision></link></robot>";
+        "<collision><geometry><mesh filename='" +
+        package + mesh + "'/></geometry></collision></link></robot>";
     const MayRead below_root = [&](const std::filesystem::path& path) {
       if (!path.string().starts_with(root.string() + "/"))
         throw Error(ErrorKind::bad_input, "may not be read");
@@ -181,6 +181,7 @@ TEST_CASE("a package is looked for only where files may be read", "[import]") {
   const std::filesystem::path wedge = std::filesystem::path(places::assets()) / "meshes/wedge.obj";
   std::filesystem::copy_file(wedge, root / "p/inside.obj");
   CHECK(robot("inside.obj").files == std::vector<std::filesystem::path>{root / "p/inside.obj"});
+  CHECK(robot("inside.obj", "package:///p/").files == robot("inside.obj").files);
   // A file outside is as one that does not exist.
   const std::string before = robot("outside.obj").text;
   std::filesystem::create_directories(around / "p");
