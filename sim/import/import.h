@@ -23,7 +23,7 @@ struct ImportOptions {
   RobotBase base = RobotBase::automatic;
   bool ground = true;  // under a URDF that floats: the format has none
   SelfCollision self_collision = SelfCollision::start;
-  std::string keyframe;  // of MJCF, to start at; empty: none
+  std::string keyframe = {};  // of MJCF, to start at; empty: none
 };
 
 struct ImportedScene {
