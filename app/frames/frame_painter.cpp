@@ -112,6 +112,7 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
       choice_(overlay),
       camera_option_(camera),
       far_(outlook.far),
+      at_start_(bodies_in_picture(*first.runs[run].model, *first.runs[run].state)),
       start_time_(first.runs[run].state->time),
       ghost_(comparison.ghost),
       caption_(comparison.caption) {
@@ -186,7 +187,7 @@ void FramePainter::draw(const Frame& frame, const BodiesOnDevice* on_device) {
     show_on_device(*view.model, on_device->around, visual_);
   } else {
     build_visual(*view.model, *view.state, view.report, options, visual_);
-    leave_out_far(view);
+    set_extent(view);
   }
   if (other && ghost_) add_ghost(*view.model, *other->state, ghost_color(), visual_);
   for (std::size_t k = 0; k < view.trails.size(); ++k)
@@ -216,12 +217,15 @@ void FramePainter::draw(const Frame& frame, const BodiesOnDevice* on_device) {
   mattes_.push_back(matte(black, white));
 }
 
-// What is far away takes no part in the light, nor in how wide the floor's grid is.
-void FramePainter::leave_out_far(const FrameView& view) {
+// What is far away takes no part in the light, nor in how wide the floor's grid is. What a camera that stands still shows of
+// the surroundings at the start does so to the end.
+void FramePainter::set_extent(const FrameView& view) {
   std::vector<std::uint8_t> in = bodies_in_picture(*view.model, *view.state);
-  if (far_.size() != in.size()) return;  // bodies were added, or nothing is known
-  for (std::size_t i = 0; i < in.size(); ++i)
-    if (far_[i]) in[i] = 0;
+  if (in.size() != at_start_.size()) return;  // bodies were added
+  for (std::size_t i = 0; i < in.size(); ++i) {
+    if (view.model->fixed[i] && base_camera_.is_still()) in[i] = in[i] || at_start_[i];
+    if (!far_.empty() && far_[i]) in[i] = 0;
+  }
   if (const auto around = bounding_sphere(*view.model, *view.state, in)) set_sphere(*around, visual_);
 }
 

@@ -87,7 +87,7 @@ class FramePainter {
   std::string gl_renderer() const { return renderer_.gl_renderer(); }
 
  private:
-  void leave_out_far(const FrameView& view);
+  void set_extent(const FrameView& view);
   void set_camera(const FrameView& first, const Outlook& outlook, std::optional<std::size_t> caption);
 
   std::shared_ptr<const Scene> scene_;
@@ -98,7 +98,8 @@ class FramePainter {
   OverlayChoice choice_;
   CameraOption camera_option_;
   EasedCamera base_camera_;
-  std::vector<std::uint8_t> far_;  // see Outlook
+  std::vector<std::uint8_t> far_;       // see Outlook
+  std::vector<std::uint8_t> at_start_;  // bodies_in_picture() of the start
   std::optional<Index> followed_;
   Vec3 follow_from_ = Vec3::Zero();  // where that body was in the first frame; m
   double start_time_;                // s

@@ -3,6 +3,7 @@
 #include <array>
 #include <catch2/catch.hpp>
 #include <csignal>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -47,6 +48,29 @@ TEST_CASE("a still shows the state at its time, a step a frame at 60 a second") 
   // Half as many frames a second: every second step.
   REQUIRE(run_pabd(render(folder / "h{frame}.png", {"--frames", "4", "--fps", "30"})).exit_code == 0);
   CHECK(read_png(folder / "h3.png").rgb == read_png(folder / "f6.png").rgb);
+}
+
+TEST_CASE("a block that stands at the side keeps its shadow when what moves comes together") {
+  const CommandFolder folder;
+  write_text(folder / "s.json", R"({ "format": "pabd-scene", "version": 1, "gravity": [0, 0, 0], "bodies": [
+    { "shape": { "type": "plane" } },
+    { "shape": { "type": "box", "size": [1, 1, 1] }, "fixed": true, "position": [0, 0.5, -4] },
+    { "shape": { "type": "sphere", "radius": 0.1 }, "position": [-3, 0.3, 2], "velocity": [2, 0, 0] },
+    { "shape": { "type": "sphere", "radius": 0.1 }, "position": [3, 0.3, 2], "velocity": [-2, 0, 0] } ] })");
+  std::vector<pabd::Image> images;
+  for (const char* time : {"0", "1.4"}) {
+    REQUIRE(run_pabd({"render", folder / "s.json", "--size", "320x180", "--quiet", "--force", "--time", time,
+                      "--camera", "eye=0,5,6,target=0,0,-1", "-o", folder / "p.png"})
+                .exit_code == 0);
+    images.push_back(read_png(folder / "p.png"));
+  }
+  int other = 0, darker = 0;  // of the upper half, where the block is
+  for (std::size_t k = 0; k < images[0].rgb.size() / 2; k += 3) {
+    other += std::abs(images[0].rgb[k] - images[1].rgb[k]) > 20;
+    darker += images[0].rgb[k] < 190;  // than the floor
+  }
+  CHECK(darker > 400);
+  CHECK(other < darker / 10);
 }
 
 TEST_CASE("a render is as long as its scene says, unless it is told") {
