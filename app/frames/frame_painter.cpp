@@ -112,7 +112,6 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
       choice_(overlay),
       camera_option_(camera),
       far_(outlook.far),
-      at_start_(bodies_in_picture(*first.runs[run].model, *first.runs[run].state)),
       start_time_(first.runs[run].state->time),
       ghost_(comparison.ghost),
       caption_(comparison.caption) {
@@ -129,6 +128,8 @@ FramePainter::FramePainter(GlContext& context, std::shared_ptr<const Scene> scen
   data_.to = start_time_ + seconds;
   data_.colors = &colors_;
   data_.contacts_by = choice_.contacts_by;
+  // Where the bodies are on a GPU nothing is known of them.
+  if (!first.runs[run].poses) at_start_ = bodies_in_picture(*first.runs[run].model, *first.runs[run].state);
   look_at(first);  // for the legend's place
   std::optional<std::size_t> caption;
   if (!caption_.empty() || !choice_.caption.empty())
@@ -221,10 +222,13 @@ void FramePainter::draw(const Frame& frame, const BodiesOnDevice* on_device) {
 // the surroundings at the start does so to the end.
 void FramePainter::set_extent(const FrameView& view) {
   std::vector<std::uint8_t> in = bodies_in_picture(*view.model, *view.state);
-  if (in.size() != at_start_.size()) return;  // bodies were added
+  // Of bodies that were added nothing is known.
+  const auto marked = [&](const std::vector<std::uint8_t>& of, std::size_t i) {
+    return of.size() == in.size() && of[i];
+  };
   for (std::size_t i = 0; i < in.size(); ++i) {
-    if (view.model->fixed[i] && base_camera_.is_still()) in[i] = in[i] || at_start_[i];
-    if (!far_.empty() && far_[i]) in[i] = 0;
+    if (view.model->fixed[i] && base_camera_.is_still() && marked(at_start_, i)) in[i] = 1;
+    if (marked(far_, i)) in[i] = 0;
   }
   if (const auto around = bounding_sphere(*view.model, *view.state, in)) set_sphere(*around, visual_);
 }

@@ -161,11 +161,11 @@ LiveSource::Place LiveSource::place(const Run& run, double time) const {
 
 std::vector<FrameView> LiveSource::views_at(double time) const {
   std::vector<FrameView> out;
-  const Run& first = shown_[leader_].run;
-  const auto before_end = place(first, time).before_end;
+  const Run& leader = shown_[leader_].run;
+  const auto before_end = place(leader, time).before_end;
   for (const Shown& shown : shown_) {
     const bool on_the_way = before_end && !ended(shown);
-    out.push_back(on_the_way ? shown.view_at(first.state().time + *before_end) : shown.view());
+    out.push_back(on_the_way ? shown.view_at(leader.state().time + *before_end) : shown.view());
   }
   return out;
 }
